@@ -1,0 +1,349 @@
+"""ship.toml: what a user knows of a ship besides her picture.
+
+Every fault of a file is listed at once with its path; unknown keys are refused with the nearest known one.
+"""
+
+from __future__ import annotations
+
+import difflib
+import itertools
+import tomllib
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Field,
+    PrivateAttr,
+    ValidationError,
+    field_validator,
+    model_validator,
+)
+
+from hullform.errors import ShipFileError
+
+# One alias for each kind of number: the one place where a number may later carry an uncertainty.
+Number = Annotated[float, Field(allow_inf_nan=False)]
+Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
+NotNegative = Annotated[float, Field(ge=0, allow_inf_nan=False)]
+Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
+Half = Literal["aft", "fore"]
+Side = Literal["left", "right"]
+ShipType = Literal[
+    "tanker",
+    "chemical-tanker",
+    "bulk-carrier",
+    "container",
+    "refrigerated-cargo",
+    "coaster",
+    "offshore-supply",
+    "tug",
+    "research",
+    "ro-ro-ferry",
+    "passenger",
+    "frigate",
+]
+
+# Keys that the format keeps for later: refused by name, so that nobody believes that they count.
+RESERVED = {
+    "body_plan": {"mesh", "offsets", "aft_station_names", "fore_station_names", "station_names"},
+    "hull": {"sections"},
+    "structure": {"midship_shear_area_m2"},
+    "conditions": {"items", "draught_aft_m", "draught_fore_m"},
+    "water": {"depth_m"},
+    "": {"excitation", "operation"},
+}
+
+
+class _Table(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class Particulars(_Table):
+    """[ship]: main particulars, moulded, in metres."""
+
+    name: Annotated[str, Field(min_length=1)]
+    type: ShipType
+    length_overall_m: Positive
+    length_between_perpendiculars_m: Positive
+    aft_perpendicular_m: NotNegative | None = None
+    breadth_m: Positive
+    depth_m: Positive
+    draught_m: Positive
+    displacement_t: Positive | None = None
+    block_coefficient: Annotated[float, Field(gt=0, le=1)] | None = None
+    lcb_from_midships_m: Number | None = None
+
+    @model_validator(mode="after")
+    def _lengths_and_draught_fit(self) -> Self:
+        overall, perpendiculars = self.length_overall_m, self.length_between_perpendiculars_m
+        if perpendiculars > overall:
+            raise ValueError(
+                f"length_between_perpendiculars_m = {perpendiculars:g} is longer than length_overall_m = "
+                f"{overall:g}; give the length overall in metres"
+            )
+        if self.aft_perpendicular_m is None and perpendiculars != overall:
+            raise ValueError(
+                "aft_perpendicular_m is missing: the length between perpendiculars differs from the length "
+                "overall, so give the x of the aft perpendicular from the aft end"
+            )
+        if (
+            self.aft_perpendicular_m is not None
+            and self.aft_perpendicular_m + perpendiculars > overall + 1e-6
+        ):
+            raise ValueError(
+                f"aft_perpendicular_m = {self.aft_perpendicular_m:g} puts the fore perpendicular at x = "
+                f"{self.aft_perpendicular_m + perpendiculars:g} m, forward of the ship's end at {overall:g} m"
+            )
+        if self.draught_m > self.depth_m:
+            raise ValueError(
+                f"draught_m = {self.draught_m:g} is above depth_m = {self.depth_m:g}; "
+                "the depth is measured from the base line to the deck at side"
+            )
+        return self
+
+    @property
+    def aft_perpendicular_x_m(self) -> float:
+        """x of the aft perpendicular, 0 where LPP equals LOA and none was given."""
+        return self.aft_perpendicular_m or 0.0
+
+    @property
+    def midships_x_m(self) -> float:
+        """x of midships: AP + LPP/2."""
+        return self.aft_perpendicular_x_m + self.length_between_perpendiculars_m / 2
+
+
+class CalibrationPoint(_Table):
+    """A point known in the picture and on the ship: px = [u, v], m = [y, z] (y negative in the left half)."""
+
+    px: tuple[Number, Number]
+    m: tuple[Number, Number]
+
+
+class CalibrationGiven(_Table):
+    """[body_plan.calibration]: what the user knows of the picture; the rest is found in it."""
+
+    centreline_px: Number | None = None
+    baseline_px: Number | None = None
+    metres_per_px: Positive | None = None
+    rotation_deg: Annotated[float, Field(gt=-45, lt=45)] | None = None
+    points: tuple[CalibrationPoint, ...] = ()
+
+
+class Mark(_Table):
+    """[[body_plan.marks]]: a point on a station's curve, as a person would click it."""
+
+    station_m: Number
+    half: Half
+    px: tuple[Number, Number]
+    curve: Annotated[int, Field(ge=0, le=1)] = 0
+
+
+class BodyPlanSource(_Table):
+    """[body_plan]: the picture, and which stations it shows."""
+
+    image: Annotated[str, Field(min_length=1)]
+    aft_side: Side
+    aft_stations_m: Annotated[tuple[Number, ...], Field(min_length=1)]
+    fore_stations_m: Annotated[tuple[Number, ...], Field(min_length=1)]
+    calibration: CalibrationGiven | None = None
+    marks: tuple[Mark, ...] = ()
+    _folder: Path = PrivateAttr(default=Path())
+
+    @field_validator("aft_stations_m", "fore_stations_m")
+    @classmethod
+    def _from_aft_forward(cls, stations: tuple[float, ...]) -> tuple[float, ...]:
+        for before, after in itertools.pairwise(stations):
+            if after <= before:
+                raise ValueError(
+                    f"{after:g} follows {before:g}; list each half's stations from aft forward, each once"
+                )
+        return stations
+
+    @model_validator(mode="after")
+    def _marks_name_stations(self) -> Self:
+        for mark in self.marks:
+            stations = self.aft_stations_m if mark.half == "aft" else self.fore_stations_m
+            if all(abs(mark.station_m - x) > 1e-3 for x in stations):
+                raise ValueError(
+                    f"a mark names station {mark.station_m:g} m of the {mark.half} half, "
+                    f"which {mark.half}_stations_m does not list"
+                )
+        return self
+
+    @property
+    def image_path(self) -> Path:
+        """Where the picture lies: beside ship.toml unless the path is absolute."""
+        return self._folder / self.image
+
+
+class HullOptions(_Table):
+    """[hull]: reserved for the choice of section models."""
+
+
+class StructureInput(_Table):
+    """[structure]: one steel shell of one thickness."""
+
+    youngs_modulus_pa: Positive = 2.06e11
+    poissons_ratio: Annotated[float, Field(ge=0, lt=0.5)] = 0.3
+    density_kg_m3: Positive = 7850.0
+    shell_thickness_m: Positive = 0.016
+    midship_second_moment_m4: Positive | None = None
+
+
+class WeightsInput(_Table):
+    """[weights]: the light ship."""
+
+    steel_weight_t: Positive | None = None
+    semi_concentrated_weight_t: NotNegative = 0.0
+    machinery_share: Share = 0.7
+
+
+class ConditionInput(_Table):
+    """[[conditions]]: one loading condition."""
+
+    name: Annotated[str, Field(pattern=r"^[a-z0-9-]+$")]
+    label: str = ""
+    deadweight_t: NotNegative
+
+    @property
+    def title(self) -> str:
+        """The label, or the name where there is none."""
+        return self.label or self.name
+
+
+class Water(_Table):
+    """[water]: what she floats in."""
+
+    density_kg_m3: Positive = 1025.0
+
+
+class EmpiricalInput(_Table):
+    """[empirical]: the length that Todd and Schlick take, by default the length overall."""
+
+    length_m: Positive | None = None
+
+
+class Ship(_Table):
+    """A whole ship.toml. `structure`, `weights` and `conditions` may be missing until a run needs them."""
+
+    schema_number: Annotated[Literal[1], Field(alias="schema")]
+    particulars: Annotated[Particulars, Field(alias="ship")]
+    body_plan: BodyPlanSource
+    hull: HullOptions = HullOptions()
+    structure: StructureInput | None = None
+    weights: WeightsInput | None = None
+    conditions: tuple[ConditionInput, ...] = ()
+    water: Water = Water()
+    empirical: EmpiricalInput = EmpiricalInput()
+    _path: Path = PrivateAttr(default=Path())
+
+    @model_validator(mode="after")
+    def _names_and_stations_fit(self) -> Self:
+        names = [condition.name for condition in self.conditions]
+        for name in names:
+            if names.count(name) > 1:
+                raise ValueError(
+                    f"two conditions are called '{name}'; condition names are file names, so make them unique"
+                )
+        overall = self.particulars.length_overall_m
+        for key in ("aft_stations_m", "fore_stations_m"):
+            for x in getattr(self.body_plan, key):
+                if not -1e-6 <= x <= overall + 1e-6:
+                    raise ValueError(
+                        f"body_plan.{key} has {x:g}, outside the ship (0 .. {overall:g} m); "
+                        "x runs from the aft end of the length overall"
+                    )
+        return self
+
+    @property
+    def path(self) -> Path:
+        """The file that was read."""
+        return self._path
+
+    def require_sections_of_a_run(self) -> tuple[StructureInput, WeightsInput, tuple[ConditionInput, ...]]:
+        """The tables that `run` needs beyond [ship] and [body_plan].
+
+        Raises:
+            ShipFileError: names those that are missing.
+        """
+        missing = [name for name in ("structure", "weights") if getattr(self, name) is None]
+        if not self.conditions:
+            missing.append("[conditions]")
+        if self.structure is None or self.weights is None or missing:
+            raise ShipFileError(
+                f"{self.path}: a run needs {', '.join(f'[{name}]' for name in missing)} too; "
+                "add it (an empty [structure] or [weights] takes the defaults)"
+            )
+        return self.structure, self.weights, self.conditions
+
+
+def read_ship(path: str | Path) -> Ship:
+    """Read and check a ship.toml.
+
+    Raises:
+        ShipFileError: the file is missing, is no TOML, or breaks the format; lists every fault with its path.
+    """
+    path = Path(path)
+    try:
+        document = tomllib.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise ShipFileError(f"{path}: no such file; give the path of a ship.toml") from None
+    except IsADirectoryError:
+        raise ShipFileError(f"{path}: is a folder; give the ship.toml in it") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise ShipFileError(f"{path}: cannot be read ({error}); it must be a UTF-8 text file") from None
+    except tomllib.TOMLDecodeError as error:
+        raise ShipFileError(f"{path}: is no TOML: {error}") from None
+    try:
+        ship = Ship.model_validate(document)
+    except ValidationError as error:
+        faults = [_fault(fault, document) for fault in error.errors()]
+        raise ShipFileError("\n".join(f"{path}: {fault}" for fault in faults)) from None
+    ship._path = path
+    ship.body_plan._folder = path.parent
+    return ship
+
+
+def _fault(fault: Any, document: dict[str, Any]) -> str:
+    """One line for one fault: where, which value, what to do."""
+    places = list(fault["loc"])
+    where = ".".join(str(place) for place in places) or "the file"
+    kind = fault["type"]
+    if kind == "extra_forbidden":
+        return f"{where}: {_unknown_key(places)}"
+    if kind == "missing":
+        return f"{where}: is missing; add it"
+    message = fault["msg"].removeprefix("Value error, ")
+    if kind == "value_error":
+        return f"{where}: {message}"
+    return f"{where} = {fault['input']!r}: {message[0].lower()}{message[1:]}"
+
+
+def _unknown_key(places: list[Any]) -> str:
+    keys = [str(place) for place in places if isinstance(place, str)]
+    key, table = keys[-1], keys[0] if len(keys) > 1 else ""
+    if key in RESERVED.get(table, set()):
+        return "is reserved for a later version and has no effect yet; remove it"
+    model: type[BaseModel] = Ship
+    for name in keys[:-1]:
+        model = _tables_of(model)[name]
+    known = [field.alias or name for name, field in model.model_fields.items()]
+    near = difflib.get_close_matches(key, known, n=1)
+    return (
+        f"unknown key; did you mean '{near[0]}'?" if near else f"unknown key; known here: {', '.join(known)}"
+    )
+
+
+def _tables_of(model: type[BaseModel]) -> dict[str, type[BaseModel]]:
+    """The tables within a table, by their names in the file."""
+    found: dict[str, type[BaseModel]] = {}
+    for name, field in model.model_fields.items():
+        stack: list[Any] = [field.annotation]
+        while stack:
+            annotation = stack.pop()
+            if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+                found[field.alias or name] = annotation
+            stack += getattr(annotation, "__args__", ())
+    return found
