@@ -1,0 +1,122 @@
+"""Weight estimates for early design after Watson & Gilfillan (1976) and Watson, Practical Ship Design (1998).
+
+Weights are in tonnes, lengths in metres, power in kilowatts, as the formulas have them.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from hullform.ship import Particulars, ShipType
+
+GRAVITY_M_S2 = 9.81
+KNOTS_PER_M_S = 3600.0 / 1852.0
+SEA_WATER_T_M3 = 1.025
+# Slow-running diesel engine, dry, with its gearing and shafting left out (Practical Ship Design, p. 110).
+SLOW_DIESEL_T_PER_KW = 0.037
+# The ratio within which an estimate with a guessed speed is worth believing: a factor of two either way.
+LIGHT_SHIP_FACTOR = 2.0
+
+
+@dataclass(frozen=True)
+class TypeFigures:
+    """What the estimates need to know of a ship type.
+
+    Attributes:
+        steel_k: K of the steel weight (Practical Ship Design, table 4.1, p. 85).
+        steel_k_spread: the scatter of K in the same table; 10 % of K where the table gives none.
+        outfit_t_m2: outfit weight over L B, read off figure 4.13 at the usual size of the type.
+        remainder: factor of the machinery remainder, K P^0.70.
+        froude_number: usual service Froude number, from which a power is guessed where none is known.
+    """
+
+    steel_k: float
+    steel_k_spread: float
+    outfit_t_m2: float
+    remainder: float
+    froude_number: float
+
+
+TYPE_FIGURES: dict[ShipType, TypeFigures] = {
+    "tanker": TypeFigures(0.032, 0.003, 0.21, 0.72, 0.16),
+    "chemical-tanker": TypeFigures(0.036, 0.001, 0.28, 0.72, 0.19),
+    "bulk-carrier": TypeFigures(0.031, 0.002, 0.22, 0.69, 0.16),
+    "container": TypeFigures(0.036, 0.003, 0.34, 0.69, 0.25),
+    "refrigerated-cargo": TypeFigures(0.034, 0.002, 0.40, 0.69, 0.26),
+    "coaster": TypeFigures(0.030, 0.002, 0.40, 0.69, 0.22),
+    "offshore-supply": TypeFigures(0.045, 0.005, 0.45, 0.69, 0.26),
+    "tug": TypeFigures(0.044, 0.002, 0.45, 0.69, 0.32),
+    "research": TypeFigures(0.045, 0.002, 0.50, 0.69, 0.25),
+    "ro-ro-ferry": TypeFigures(0.031, 0.006, 0.55, 0.83, 0.26),
+    "passenger": TypeFigures(0.038, 0.001, 0.80, 0.83, 0.25),
+    "frigate": TypeFigures(0.023, 0.0023, 0.40, 0.19, 0.40),
+}
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """An estimated weight in tonnes with the range that its source supports."""
+
+    weight_t: float
+    lower_t: float
+    upper_t: float
+
+
+def hull_numeral(particulars: Particulars) -> float:
+    """Watson & Gilfillan's steel numeral E = L (B + T) + 0.85 L (D - T), in m2, with L between perpendiculars.
+
+    Superstructures are left out: ship.toml does not know them. (Practical Ship Design, p. 82.)
+    """
+    length = particulars.length_between_perpendiculars_m
+    freeboard = particulars.depth_m - particulars.draught_m
+    return length * (particulars.breadth_m + particulars.draught_m) + 0.85 * length * freeboard
+
+
+def steel_weight(particulars: Particulars, block_coefficient: float) -> Estimate:
+    """Steel weight W = K E^1.36 [1 + 0.5 (Cb' - 0.70)], Cb' = Cb + (1 - Cb) (0.8 D - T) / (3 T).
+
+    Args:
+        particulars: of the ship; lengths in metres.
+        block_coefficient: at the draught, with LPP.
+
+    Returns:
+        The weight at the mean K of the ship's type and the range of the K in the source's table.
+
+    Source: Watson, Practical Ship Design, eqs. 4.2 and 4.3 and table 4.1, pp. 82-85.
+    """
+    draught, depth = particulars.draught_m, particulars.depth_m
+    cb_at_80_percent = block_coefficient + (1 - block_coefficient) * (0.8 * depth - draught) / (3 * draught)
+    figures = TYPE_FIGURES[particulars.type]
+    per_k = hull_numeral(particulars) ** 1.36 * (1 + 0.5 * (cb_at_80_percent - 0.70))
+    return Estimate(
+        weight_t=figures.steel_k * per_k,
+        lower_t=(figures.steel_k - figures.steel_k_spread) * per_k,
+        upper_t=(figures.steel_k + figures.steel_k_spread) * per_k,
+    )
+
+
+def installed_power_kw(particulars: Particulars, displacement_t: float) -> float:
+    """A guess of the installed power: P = Delta^(2/3) V^3 / C, C = 26 (sqrt(L) + 150 / V), V in knots.
+
+    V follows from the usual Froude number of the type. Source: the Admiralty coefficient with the
+    approximation of C in Barrass, Ship Design and Performance for Masters and Mates (2004), ch. 13.
+    """
+    length = particulars.length_between_perpendiculars_m
+    froude_number = TYPE_FIGURES[particulars.type].froude_number
+    speed_knots = froude_number * math.sqrt(GRAVITY_M_S2 * length) * KNOTS_PER_M_S
+    coefficient = 26.0 * (math.sqrt(length) + 150.0 / speed_knots)
+    return displacement_t ** (2 / 3) * speed_knots**3 / coefficient
+
+
+def machinery_and_outfit_weight(particulars: Particulars, displacement_t: float) -> Estimate:
+    """Machinery and outfit: 0.037 P + K_r P^0.70 + C_o L B, with P of `installed_power_kw`.
+
+    The range is a factor of two either way, as wide as a guessed speed and outfit make it.
+    Source: Watson, Practical Ship Design, pp. 109-110 (machinery) and figure 4.13 (outfit).
+    """
+    figures = TYPE_FIGURES[particulars.type]
+    power_kw = installed_power_kw(particulars, displacement_t)
+    outfit_t = figures.outfit_t_m2 * particulars.length_between_perpendiculars_m * particulars.breadth_m
+    weight_t = SLOW_DIESEL_T_PER_KW * power_kw + figures.remainder * power_kw**0.70 + outfit_t
+    return Estimate(weight_t, weight_t / LIGHT_SHIP_FACTOR, weight_t * LIGHT_SHIP_FACTOR)
