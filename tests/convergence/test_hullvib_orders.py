@@ -1,0 +1,71 @@
+"""Rates of convergence: h^4 of cubic elements in omega^2, and the orders of Ritz with uniform modes."""
+
+import numpy as np
+import pytest
+
+from hullvib import FiniteElements, Girder, Ritz, ritz_convergence, solve
+
+G1_TO_3 = np.array([22.373285448061323923, 61.672822867920245259, 120.90339172712377951])
+UNIFORM = Girder([0, 150], [6e4, 6e4], [4e13, 4e13])
+UNIT = np.sqrt(4e13 / (6e4 * 150.0**4))
+
+
+def test_uniform_beam_to_the_promised_digits():
+    # the exact shapes are in the trial space: round-off is left
+    assert solve(UNIFORM, Ritz(12), modes=3).angular_frequencies == pytest.approx(UNIT * G1_TO_3, rel=1e-12)
+    assert solve(UNIFORM, Ritz(200), modes=3).angular_frequencies == pytest.approx(UNIT * G1_TO_3, rel=1e-10)
+    assert solve(UNIFORM, FiniteElements(100), modes=3).angular_frequencies == pytest.approx(UNIT * G1_TO_3, rel=1e-6)
+
+
+def test_high_modes_of_the_uniform_beam():
+    modes = solve(UNIFORM, Ritz(120), modes=100)
+    exact = UNIT * ((2 * np.arange(13, 101) + 1) * np.pi / 2) ** 2
+    assert modes.angular_frequencies[12:] == pytest.approx(exact, rel=1e-10)
+    assert modes.node_counts.tolist() == list(range(2, 102))
+
+
+@pytest.mark.parametrize(
+    "girder",
+    [
+        Girder.from_polynomials([0, 1], [[1, 0.5, -0.8]], [[1, 2, -2.5]]),
+        Girder([0, 0.3, 0.3, 0.8, 1], [1, 2, 0.5, 1, 1], [1, 2, 0.7, 1, 0.5]),
+    ],
+    ids=["smooth", "with jumps"],
+)
+def test_finite_elements_converge_with_h4(girder):
+    # 10 elements fall evenly on the pieces, so every mesh halves the last one; 160 carry round-off of 1e-11
+    meshes = [10, 20, 40, 160]
+    squares = np.array([solve(girder, FiniteElements(n), modes=3).angular_frequencies ** 2 for n in meshes])
+    errors = squares[:3] - squares[3]
+    orders = np.log2(errors[:-1] / errors[1:])
+    # the 40-element error is compared with 160 elements instead of the limit: 1/256 of itself, order 4 + 0.006
+    assert orders[-1] == pytest.approx(np.full(3, 4.0), abs=0.1)
+
+
+@pytest.mark.parametrize(
+    "girder",
+    [
+        Girder([0, 0.3, 0.3, 0.8, 1], [1, 2, 0.5, 1, 1], [1, 2, 0.7, 1, 0.5]),
+        Girder.from_polynomials([0, 1], [[1, 0, -0.8]], [[0.2, 2, -2]]),
+    ],
+)
+def test_ritz_falls_monotonously_towards_the_answer(girder):
+    table = ritz_convergence(girder, range(3, 41))
+    # trial spaces are nested; 1e-12 is round-off
+    assert (np.diff(table, axis=0) <= 1e-12 * table[1:]).all()
+    fine = solve(girder, FiniteElements(400), modes=3).angular_frequencies
+    # 400 elements are good to 1e-8 here, see the orders above
+    assert (table > fine * (1 - 1e-8)).all()
+    assert table[-1] == pytest.approx(fine, rel=5e-3)
+
+
+def test_ritz_order_on_a_smooth_girder():
+    # Coefficients of the exact shape w: four integrations by parts leave no end terms, since phi and w both have
+    # w'' = w''' = 0 there; the next four leave f'' phi' / g^8 with f = w'''', so they fall with g^-7, and the energy
+    # left out, the sum of g^4 g^-14 beyond N, with N^-9. That order is approached from below.
+    girder = Girder.from_polynomials([0, 1], [[1, 0.4]], [[1, 1]])
+    fine = ritz_convergence(girder, [96])[0]
+    errors = ritz_convergence(girder, [8, 16, 32]) - fine
+    orders = np.log2(errors[:-1] / errors[1:])
+    assert (orders > 7.5).all()
+    assert (orders < 9.5).all()

@@ -1,0 +1,83 @@
+"""The three bench girders against 20-digit answers of another computation (exact pieces in high precision)."""
+
+import json
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hullvib import FiniteElements, Girder, Ritz, solve
+
+ROOT = Path(__file__).resolve().parents[2]
+SHARED = Path(os.environ.get("HULLFORM_SHARED", ROOT / ".." / "shared"))
+LENGTH, RIGIDITY, MEAN_MASS = 262.0, 52.118e12, 284962.0
+
+# bench/reference.json, rad/s, modes 1-6
+ANSWERS = {
+    "A": [4.4078578114550473, 12.150429791097198, 23.819700548360490, 39.375174990086805, 58.819718340975258,
+          82.153159709890292],
+    "B": [4.9218558239898846, 12.818834605080646, 24.314249693211140, 39.406710633532919, 58.124341559928812,
+          80.485025116693479],
+    "C": [4.9991976900179876, 11.993742931176827, 21.490464361706317, 34.180751878304377, 50.339321490990351,
+          70.079276652104245],
+}  # fmt: skip
+# numerics.md section 3, case C, N = 12: energy Ritz, modes 1, 2, 3 and 6; the figures are printed with one digit
+RITZ_ERRORS_C = {0: 1e-3, 1: 4e-3, 2: 3e-3, 5: 4e-3}
+
+
+def case(name: str) -> Girder:
+    if name == "A":
+        return Girder([0, LENGTH], [MEAN_MASS] * 2, [RIGIDITY] * 2)
+    if name == "B":
+        u = np.polynomial.Polynomial([-1.0, 2.0 / LENGTH])
+        mass, rigidity = MEAN_MASS / (1 - 0.7 / 3) * (1 - 0.7 * u**2), RIGIDITY * (1 - 0.6 * u**4)
+        return Girder.from_polynomials([0, LENGTH], [mass.coef], [rigidity.coef])
+    weights = np.array([3, 6, 4, 12, 5, 13, 6, 15, 5, 14, 7, 16, 6, 15, 5, 12, 4, 9, 3, 5])
+    edges = np.arange(21) * (LENGTH / 20)
+    return Girder.from_tables(
+        mass=(np.repeat(edges, 2)[1:-1], np.repeat(weights / weights.mean() * MEAN_MASS, 2)),
+        rigidity=(
+            LENGTH * np.array([0, 0.2, 0.2, 0.5, 0.75, 0.75, 1]),
+            RIGIDITY * np.array([0.25, 0.65, 0.95, 1.1, 1.0, 0.6, 0.15]),
+        ),
+    )
+
+
+@pytest.mark.parametrize("name", ANSWERS)
+def test_finite_elements(name):
+    # 100 elements: (g h)^4 / 1440 with g L = 20 at mode 6 is 1e-6
+    frequencies = solve(case(name), FiniteElements(100), modes=6).angular_frequencies
+    assert frequencies == pytest.approx(ANSWERS[name], rel=2e-6)
+    assert (frequencies > np.array(ANSWERS[name]) * (1 - 1e-9)).all()
+
+
+@pytest.mark.parametrize(("name", "tolerance"), [("A", 1e-13), ("B", 5e-5)])
+def test_ritz_on_smooth_girders(name, tolerance):
+    # A lies in the trial space; B converges with N^-7: (1/12)^7 times a few for the lowest modes, 5e-5 at mode 6
+    frequencies = solve(case(name), Ritz(12), modes=6).angular_frequencies
+    assert frequencies == pytest.approx(ANSWERS[name], rel=tolerance)
+
+
+def test_ritz_on_the_saw_tooth_girder_errs_as_measured_elsewhere():
+    errors = solve(case("C"), Ritz(12), modes=6).angular_frequencies / ANSWERS["C"] - 1
+    for mode, printed in RITZ_ERRORS_C.items():
+        assert float(f"{errors[mode]:.0e}") == printed
+
+
+def test_the_case_file_defines_the_same_girders():
+    file = SHARED / "bench" / "cases.json"
+    if not file.exists():
+        pytest.skip(f"no bench/cases.json under {SHARED}: set HULLFORM_SHARED")
+    content = json.loads(file.read_text())
+    answers = json.loads((file.parent / "reference.json").read_text())
+    for name, entry in content["cases"].items():
+        segments = entry["segments"]
+        breaks = [segments[0]["x0"], *(segment["x1"] for segment in segments)]
+        girder = Girder.from_polynomials(breaks, [s["m"] for s in segments], [s["EI"] for s in segments])
+        x = np.linspace(0.05, LENGTH - 0.05, 997)
+        # the file's numbers carry 16 digits, of which differences of neighbours lose a few
+        assert girder.mass_per_length(x) == pytest.approx(case(name).mass_per_length(x), rel=1e-11)
+        assert girder.flexural_rigidity(x) == pytest.approx(case(name).flexural_rigidity(x), rel=1e-11)
+        exact = [float(value) for value in answers[name]["omega"]]
+        assert solve(girder, FiniteElements(100), modes=6).angular_frequencies == pytest.approx(exact, rel=2e-6)

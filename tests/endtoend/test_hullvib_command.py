@@ -1,0 +1,138 @@
+"""The command `hullvib solve`, in this process and in one of its own."""
+
+import io
+import json
+import subprocess
+import sys
+
+import pytest
+
+from hullvib import Girder, PointMass, write_girder
+from hullvib.cli import main
+
+HEAVY = ("cv2", "trimesh", "matplotlib", "pydantic", "shapely", "jinja2", "hullform")
+CSV = "x_m,mass_kg_per_m,flexural_rigidity_N_m2\n0,5e4,1e13\n100,5e4,1e13\n"
+# 22.3732854 / (2 pi) sqrt(1e13 / (5e4 1e8))
+FIRST_HZ = 5.03576
+
+
+@pytest.fixture
+def file(tmp_path):
+    path = tmp_path / "uniform.csv"
+    path.write_text(CSV)
+    return str(path)
+
+
+def test_table(file, capsys):
+    assert main(["solve", file, "--modes", "3"]) == 0
+    out, err = capsys.readouterr()
+    assert err == ""
+    lines = out.splitlines()
+    assert lines[0].startswith("uniform: 100 m, 5000 t; Euler-Bernoulli, dry; ritz")
+    assert lines[1].split() == ["mode", "Hz", "cycles/min", "rad/s", "nodes"]
+    assert lines[2].split() == ["1", "5.0358", "302.15", "31.6406", "2"]
+    assert len(lines) == 5
+
+
+@pytest.mark.parametrize(
+    ("options", "expected"),
+    [
+        ([], {"method": "ritz", "functions": 12, "rigid_body": True}),
+        (["--functions", "8"], {"method": "ritz", "functions": 8}),
+        (["--method", "fem"], {"method": "finite_element", "elements": 100}),
+        (["--method", "fem", "--elements", "40"], {"method": "finite_element", "elements": 40}),
+    ],
+)
+def test_json(file, capsys, options, expected):
+    assert main(["solve", file, "--json", "--modes", "4", *options]) == 0
+    content = json.loads(capsys.readouterr().out)
+    assert content["girder"] == "uniform"
+    (solution,) = content["solutions"]
+    assert solution.items() >= {**expected, "theory": "Euler-Bernoulli", "medium": "dry"}.items()
+    assert solution["node_counts"] == [2, 3, 4, 5]
+    # 40 elements leave 1.5e-7 on mode 1
+    assert solution["frequencies_hz"][0] == pytest.approx(FIRST_HZ, rel=1e-6)
+    assert solution["frequencies_rad_s"][0] == pytest.approx(31.64061, rel=1e-6)
+
+
+def test_json_girders_and_the_standard_input(tmp_path, capsys, monkeypatch):
+    girder = Girder([0, 100], [5e4, 5e4], [1e13, 1e13], point_masses=[PointMass(0, 1e5)], name="with mass")
+    write_girder(girder, tmp_path / "g.json")
+    assert main(["solve", str(tmp_path / "g.json"), "--json"]) == 0
+    from_file = json.loads(capsys.readouterr().out)
+    assert from_file["girder"] == "with mass"
+    monkeypatch.setattr(sys, "stdin", io.StringIO((tmp_path / "g.json").read_text()))
+    assert main(["solve", "-", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out) == from_file
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (CSV + "90,1,1\n", "line 4: x_m falls from 100 to 90"),
+        (CSV.replace("100,5e4", "100,nan"), "line 3: mass_kg_per_m is nan"),
+        ("", "is empty"),
+    ],
+)
+def test_wrong_input_is_one_line_and_exit_code_1(tmp_path, capsys, text, message):
+    path = tmp_path / "g.csv"
+    path.write_text(text)
+    assert main(["solve", str(path)]) == 1
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert message in err
+    assert err.count("\n") == 1
+
+
+def test_too_many_modes_and_a_missing_file_are_exit_code_1(file, capsys):
+    assert main(["solve", file, "--modes", "13"]) == 1
+    assert "13 modes were asked of 12" in capsys.readouterr().err
+    assert main(["solve", "no-such.csv"]) == 1
+    assert "cannot be read" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [[], ["solve"], ["solve", "g.csv", "--method", "magic"], ["solve", "g.csv", "--elements", "5"],
+     ["solve", "g.csv", "--method", "fem", "--functions", "5"]],
+)  # fmt: skip
+def test_wrong_usage_is_exit_code_2(arguments, capsys):
+    with pytest.raises(SystemExit) as stop:
+        main(arguments)
+    assert stop.value.code == 2
+    assert "usage: hullvib" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("factor", [1e-3, 1e3])
+def test_a_table_in_wrong_units_is_doubted(tmp_path, capsys, factor):
+    path = tmp_path / "g.csv"
+    path.write_text(CSV.replace("5e4", repr(5e4 * factor)))
+    assert main(["solve", str(path)]) == 0
+    err = capsys.readouterr().err
+    assert "warning: the first frequency is" in err
+    assert "0.3 .. 30 Hz" in err
+    assert "kg/m" in err
+
+
+def test_import_and_command_load_none_of_the_heavy_packages(file):
+    # the imports of this process are pytest's; a fresh one tells
+    script = (
+        "import sys, hullvib\n"
+        f"heavy = {HEAVY!r}\n"
+        "def loaded(): return sorted(m for m in heavy if m in sys.modules)\n"
+        "assert not loaded(), loaded()\n"
+        "assert 'scipy.sparse.linalg' not in sys.modules\n"
+        "from hullvib.cli import main\n"
+        f"assert main(['solve', {file!r}]) == 0\n"
+        f"assert main(['solve', {file!r}, '--method', 'fem', '--json']) == 0\n"
+        "assert not loaded(), loaded()\n"
+    )
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+
+
+def test_a_short_test_beam_is_not_doubted(tmp_path, capsys):
+    path = tmp_path / "beam.csv"
+    path.write_text("x_m,mass_kg_per_m,flexural_rigidity_N_m2\n0,5.7,175\n2.445,5.7,175\n")
+    assert main(["solve", str(path)]) == 0
+    assert capsys.readouterr().err == ""

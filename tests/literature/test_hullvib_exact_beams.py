@@ -1,0 +1,185 @@
+"""Free-free beams with known answers: tapered, sharp, exponential, parabolic, with end masses, stepped.
+
+Every beam is given on x = 0..1 with unit mass and rigidity at its reference section, so that omega is Omega =
+omega sqrt(m0 L^4 / EI0). The answers come from characteristic equations (Bessel functions, Jacobi polynomials, power
+series; see reference/exact-beams.md of the shared folder) in 45-digit arithmetic, confirmed by a Legendre-Ritz
+solution. A handful is copied here, the rest is read from exact_beams.json.
+"""
+
+import json
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.polynomial import Polynomial
+
+from hullvib import FiniteElements, Girder, PointMass, Ritz, ritz_convergence, solve
+
+ROOT = Path(__file__).resolve().parents[2]
+SHARED = Path(os.environ.get("HULLFORM_SHARED", ROOT / ".." / "shared"))
+FILE = SHARED / "reference" / "exact_beams.json"
+
+# exact-beams.md section 3, first three of each row, 15 digits
+COPIED = {
+    "uniform": [22.3732854480613, 61.6728228679202, 120.903391727123],
+    "wedge_c0.5": [16.7241578083102, 45.5025996741302, 88.7110698874817],
+    "cone_c0.5": [17.0793337536618, 45.9629821823247, 89.2138763444349],
+    "double_wedge_c0.5": [21.8259727948387, 49.9768523635885, 94.6291263794068],
+    "exponential_a2": [22.9377267723740, 62.4227321831193, 121.722732372407],
+    "timoshenko_hull_b0.75_c0.5": [25.2051584504303, 64.0101470400540, 120.496131822550],
+    "uniform_endmass_0.1_0.1": [17.2695451982366, 49.9601489278055, 101.317895577884],
+}
+SHARP = {
+    "wedge_sharp": [12.7575088709440, 27.7553529693745, 47.5759448930284],
+    "jacobi_a1_b1": [30.9838667696593, 63.4980314655501, 103.691851174525],
+    "jacobi_a2_b1": [36.6606055596467, 73.3212111192934, 117.575507653592],
+    "double_wedge_sharp": [26.3746164271633, 43.6094489507007, 70.8499989190958],
+}
+# exact-beams.md section 3.1: error in per cent of modes 1-3 of Ritz with N = 12, elastic functions only, then with
+# the rigid-body functions
+BIAS = {
+    "wedge_c0.5": ([-1.5765, -0.0083, -0.0119], [0.0, 0.0, 0.0001]),
+    "wedge_sharp": ([-33.0982, -8.4968, -1.9318], [0.0809, 0.8302, 3.3646]),
+    "exponential_a2": ([-12.1308, -0.3256, -0.1072], [0.0, 0.0, 0.0]),
+    "abrate_quartic_c0.5": ([-20.7643, -1.8567, -0.4839], [0.0, 0.0, 0.0]),
+    "double_wedge_sharp": ([-26.4017, -26.9591, -4.0816], [0.1124, 0.4585, 2.3453]),
+    "jacobi_a1_b1": ([-15.2622, -19.5204, -6.2604], [0.0266, 0.162, 0.8465]),
+    "jacobi_a2_b1": ([-32.7498, -33.2942, -15.6961], [0.0239, 0.1451, 0.6882]),
+    "timoshenko_hull_b0.75_c0.75": ([-5.3476, -5.03, -0.7537], [0.0, 0.0001, 0.0005]),
+    "timoshenko_hull_b0.5_c0.5": ([-1.7634, -1.4943, -0.0991], [0.0, 0.0, 0.0001]),
+    "uniform_endmass_0.1_0.1": ([-3.8492, -9.2312, -1.5928], [0.0035, 0.0152, 0.0542]),
+}
+FURTHER = {
+    "abrate_quartic_c0.5": [24.6194206709236, 64.5650477731381, 124.074303364798],
+    "timoshenko_hull_b0.75_c0.75": [28.5514146706233, 71.2715842546370, 132.866298797446],
+    "timoshenko_hull_b0.5_c0.5": [25.5418790436556, 66.2508813398146, 126.274004243647],
+}
+# (a, mu, e): segments [0, a], [a, 1 - a], [1 - a, 1] with m = mu, 1, mu and EI = e, 1, e; transfer matrices
+STEPPED = {
+    (0.25, 0.5, 0.25): [24.870305803505, 52.075042570106, 97.118969195744],
+    (0.2, 2.0, 0.4): [18.024868993184, 46.485694759540, 80.074837492509],
+}
+
+
+def beam(name: str) -> Girder:
+    """The beam of exact_beams.json, from its name."""
+    xi = Polynomial([0.0, 1.0])
+    if name == "uniform":
+        return Girder([0, 1], [1, 1], [1, 1])
+    if name.startswith("uniform_endmass"):
+        aft, fore = (float(part) for part in name.split("_")[-2:])
+        return Girder([0, 1], [1, 1], [1, 1], point_masses=[PointMass(0, aft), PointMass(1, fore)])
+    if name == "exponential_a2":
+        return Girder.from_functions(1.0, lambda x: np.exp(2 * x), lambda x: np.exp(2 * x))
+    if name.startswith("timoshenko_hull"):
+        b, c = (float(part[1:]) for part in name.split("_")[-2:])
+        u = 2 * xi - 1
+        return Girder.from_polynomials([0, 1], [(1 - c * u**2).coef], [(1 - b * u**2).coef])
+    if name.startswith("jacobi"):
+        a, b = (int(part[1:]) for part in name.split("_")[-2:])
+        aft, fore = 2 * xi, 2 - 2 * xi
+        return Girder.from_polynomials([0, 1], [(fore**a * aft**b).coef], [(fore ** (a + 2) * aft ** (b + 2)).coef])
+    c = 0.0 if name.endswith("sharp") else float(name.split("_c")[-1])
+    power = {"wedge": (1, 3), "cone": (2, 4), "quartic": (4, 4)}
+    n, k = next(value for key, value in power.items() if key in name)
+    if name.startswith("double"):
+        aft, fore = c + 2 * (1 - c) * xi, 1 - 2 * (1 - c) * xi
+        return Girder.from_polynomials([0, 0.5, 1], [(aft**n).coef, (fore**n).coef], [(aft**k).coef, (fore**k).coef])
+    s = 1 - (1 - c) * xi
+    return Girder.from_polynomials([0, 1], [(s**n).coef], [(s**k).coef])
+
+
+def exact_file() -> dict:
+    if not FILE.exists():
+        pytest.skip(f"no exact_beams.json under {SHARED}: set HULLFORM_SHARED")
+    return json.loads(FILE.read_text())
+
+
+def is_sharp(name: str) -> bool:
+    return name.endswith("sharp") or name.startswith("jacobi")
+
+
+@pytest.mark.parametrize("name", [*COPIED, *FURTHER])
+def test_finite_elements_and_ritz_on_copied_beams(name):
+    exact = (COPIED | FURTHER)[name]
+    finite = solve(beam(name), FiniteElements(100), modes=3).angular_frequencies
+    # h^4 (g L)^4 / 1440 in omega at g L = 11, 100 elements: 1e-7
+    assert finite == pytest.approx(exact, rel=1e-6)
+    ritz = solve(beam(name), Ritz(12), modes=3).angular_frequencies
+    # the project's promise for beams with finite ends; point masses are the slowest, at 0.054 %
+    assert ritz == pytest.approx(exact, rel=1e-3)
+
+
+@pytest.mark.parametrize("name", [*COPIED, *FURTHER, *SHARP])
+def test_frequencies_are_upper_bounds(name):
+    exact = np.array((COPIED | FURTHER | SHARP)[name])
+    for method in (Ritz(12), FiniteElements(100)):
+        frequencies = solve(beam(name), method, modes=3).angular_frequencies
+        # below the exact value by round-off alone: 1e-9 for a sparse solution of 100 elements (numerics.md, 3)
+        assert (frequencies > exact * (1 - 1e-9)).all()
+
+
+@pytest.mark.parametrize("name", SHARP)
+def test_finite_elements_on_sharp_beams(name):
+    # shapes are smooth functions of x up to the tip, so the order holds there too
+    assert solve(beam(name), FiniteElements(100), modes=3).angular_frequencies == pytest.approx(SHARP[name], rel=1e-6)
+
+
+def test_every_beam_of_the_file():
+    beams = exact_file()["beams"]
+    assert len(beams) >= 19
+    for name, entry in beams.items():
+        exact = [float(value) for value in entry["Omega"][:3]]
+        finite = solve(beam(name), FiniteElements(100), modes=3).angular_frequencies
+        assert finite == pytest.approx(exact, rel=1e-5), name
+        if is_sharp(name):
+            continue
+        ritz = solve(beam(name), Ritz(12), modes=3).angular_frequencies
+        # Point masses of half the beam's mass at both ends: 0.1022 % on mode 3 is what this trial space gives with
+        # exact integrals (its functions have no shear force at the ends, where the masses need one); 0.1 % takes 13.
+        functions = 13 if name == "uniform_endmass_0.5_0.5" else 12
+        if functions != 12:
+            assert ritz[2] / exact[2] - 1 == pytest.approx(1.022e-3, abs=1e-6)
+            ritz = solve(beam(name), Ritz(functions), modes=3).angular_frequencies
+        assert ritz == pytest.approx(exact, rel=1e-3), name
+
+
+@pytest.mark.parametrize("name", BIAS)
+def test_leaving_out_the_rigid_body_functions_biases_as_tabulated(name):
+    exact = np.array((COPIED | FURTHER | SHARP)[name])
+    girder = beam(name)
+    for rigid_body, printed in zip((False, True), BIAS[name], strict=True):
+        frequencies = solve(girder, Ritz(12, rigid_body=rigid_body), modes=3).angular_frequencies
+        # four printed decimals, in per cent
+        assert (frequencies / exact - 1) * 100 == pytest.approx(printed, abs=1e-4)
+
+
+@pytest.mark.parametrize("case", STEPPED)
+def test_steps_converge_slowly_with_ritz_and_fast_with_elements(case):
+    a, mu, e = case
+    girder = Girder([0, a, a, 1 - a, 1 - a, 1], [mu, mu, 1, 1, mu, mu], [e, e, 1, 1, e, e])
+    exact = np.array(STEPPED[case])
+    assert solve(girder, FiniteElements(100), modes=3).angular_frequencies == pytest.approx(exact, rel=1e-5)
+    errors = ritz_convergence(girder, [12, 48]) / exact - 1
+    assert (errors[0] < 0.05).all()
+    # O(1/N) at a jump of EI: four times the functions leave a quarter, give or take the step's place among the waves
+    assert (errors[1] > errors[0] / 16).all()
+    assert (errors[1] < errors[0] / 2).all()
+
+
+def test_every_stepped_beam_of_the_file():
+    for entry in exact_file()["extra"]["stepped_symmetric"]["cases"]:
+        a, mu, e = entry["a"], entry["mu"], entry["e"]
+        girder = Girder([0, a, a, 1 - a, 1 - a, 1], [mu, mu, 1, 1, mu, mu], [e, e, 1, 1, e, e])
+        exact = [float(value) for value in entry["Omega"]]
+        assert solve(girder, Ritz(12)).angular_frequencies == pytest.approx(exact, rel=0.05)
+        assert solve(girder, FiniteElements(100)).angular_frequencies == pytest.approx(exact, rel=1e-5)
+
+
+def test_timoshenkos_worked_ship():
+    """Timoshenko's mathematical hull: 2l = 100 m, I0 = 20 m^4, 7e4 kg/m, b = c = 3e-4 m^-2; he finds p = 21.6 1/s."""
+    shape = Polynomial([1.0]) - 3e-4 * Polynomial([-50.0, 1.0]) ** 2
+    girder = Girder.from_polynomials([0, 100], [7e4 * shape.coef], [2.0e11 * 20.0 * shape.coef])
+    # three printed digits; his modulus in t/cm^2 is rounded, 2.0e11 Pa gives 21.58
+    assert solve(girder, modes=1).angular_frequencies[0] == pytest.approx(21.6, abs=0.05)
