@@ -78,7 +78,7 @@ def checks_of_the_hull(particulars: Particulars, at_draught: Hydrostatics) -> tu
             )
         )
     if particulars.lcb_from_midships_m is not None:
-        lcb_from_midships = at_draught.centre_of_buoyancy_x_m - particulars.midships_x_m
+        lcb_from_midships = at_draught.lcb_from_midships_m
         length = particulars.length_between_perpendiculars_m
         found.append(
             _deviation(
@@ -118,14 +118,14 @@ def check_floating(mass_kg: float, capacity_kg: float, depth_m: float) -> Check:
     )
 
 
-def check_trim(lcg_m: float, floating: Hydrostatics, length_between_perpendiculars_m: float) -> Check:
+def check_trim(lcg_m: float, floating: Hydrostatics) -> Check:
     """The trim that the weights' lever to the buoyancy would cause: t = lever LPP / BM_L, by the stern positive.
 
     The girder is analysed on even keel; a lever that trims her far is a fault of the weights.
     BM_L stands for GM_L, some per cent more: the trim is an estimate.
     """
-    lever = floating.centre_of_buoyancy_x_m - lcg_m
-    trim_percent = 100 * lever / floating.longitudinal_bm_m
+    lever = floating.lcb_x_m - lcg_m
+    trim_percent = 100 * lever / floating.bm_longitudinal_m
     limit = TRIM_BY_STERN_LIMIT_PERCENT_LPP if trim_percent >= 0 else TRIM_BY_BOW_LIMIT_PERCENT_LPP
     way = "stern" if trim_percent >= 0 else "bow"
     return _deviation(

@@ -56,6 +56,13 @@ RESERVED = {
 }
 
 
+HOW_TO_FIND = {
+    "aft_perpendicular_m": "the length between perpendiculars differs from the length overall, so give the x of "
+    "the aft perpendicular from the aft end",
+    "schema": "begin the file with schema = 1",
+}
+
+
 class _Table(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -67,13 +74,21 @@ class Particulars(_Table):
     type: ShipType
     length_overall_m: Positive
     length_between_perpendiculars_m: Positive
-    aft_perpendicular_m: NotNegative | None = None
+    aft_perpendicular_m: NotNegative
     breadth_m: Positive
     depth_m: Positive
     draught_m: Positive
     displacement_t: Positive | None = None
     block_coefficient: Annotated[float, Field(gt=0, le=1)] | None = None
     lcb_from_midships_m: Number | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _aft_perpendicular_where_lengths_agree(cls, values: Any) -> Any:
+        if not isinstance(values, dict):
+            return values
+        lengths_agree = values.get("length_between_perpendiculars_m") == values.get("length_overall_m")
+        return {"aft_perpendicular_m": 0.0, **values} if lengths_agree else values
 
     @model_validator(mode="after")
     def _lengths_and_draught_fit(self) -> Self:
@@ -83,18 +98,11 @@ class Particulars(_Table):
                 f"length_between_perpendiculars_m = {perpendiculars:g} is longer than length_overall_m = "
                 f"{overall:g}; give the length overall in metres"
             )
-        if self.aft_perpendicular_m is None and perpendiculars != overall:
-            raise ValueError(
-                "aft_perpendicular_m is missing: the length between perpendiculars differs from the length "
-                "overall, so give the x of the aft perpendicular from the aft end"
-            )
-        if (
-            self.aft_perpendicular_m is not None
-            and self.aft_perpendicular_m + perpendiculars > overall + 1e-6
-        ):
+        fore_perpendicular = self.aft_perpendicular_m + perpendiculars
+        if fore_perpendicular > overall + 1e-6:
             raise ValueError(
                 f"aft_perpendicular_m = {self.aft_perpendicular_m:g} puts the fore perpendicular at x = "
-                f"{self.aft_perpendicular_m + perpendiculars:g} m, forward of the ship's end at {overall:g} m"
+                f"{fore_perpendicular:g} m, forward of the ship's end at {overall:g} m"
             )
         if self.draught_m > self.depth_m:
             raise ValueError(
@@ -102,16 +110,6 @@ class Particulars(_Table):
                 "the depth is measured from the base line to the deck at side"
             )
         return self
-
-    @property
-    def aft_perpendicular_x_m(self) -> float:
-        """x of the aft perpendicular, 0 where LPP equals LOA and none was given."""
-        return self.aft_perpendicular_m or 0.0
-
-    @property
-    def midships_x_m(self) -> float:
-        """x of midships: AP + LPP/2."""
-        return self.aft_perpendicular_x_m + self.length_between_perpendiculars_m / 2
 
 
 class CalibrationPoint(_Table):
@@ -156,9 +154,7 @@ class BodyPlanSource(_Table):
     def _from_aft_forward(cls, stations: tuple[float, ...]) -> tuple[float, ...]:
         for before, after in itertools.pairwise(stations):
             if after <= before:
-                raise ValueError(
-                    f"{after:g} follows {before:g}; list each half's stations from aft forward, each once"
-                )
+                raise ValueError(f"{after:g} follows {before:g}; list each half's stations from aft forward, each once")
         return stations
 
     @model_validator(mode="after")
@@ -262,6 +258,18 @@ class Ship(_Table):
         """The file that was read."""
         return self._path
 
+    def require_condition(self, name: str) -> ConditionInput:
+        """The loading condition of that name.
+
+        Raises:
+            ShipFileError: there is none; lists those that there are.
+        """
+        for condition in self.conditions:
+            if condition.name == name:
+                return condition
+        names = ", ".join(condition.name for condition in self.conditions) or "none"
+        raise ShipFileError(f"{self.path}: has no condition '{name}'; its conditions: {names}")
+
     def require_sections_of_a_run(self) -> tuple[StructureInput, WeightsInput, tuple[ConditionInput, ...]]:
         """The tables that `run` needs beyond [ship] and [body_plan].
 
@@ -314,7 +322,7 @@ def _fault(fault: Any, document: dict[str, Any]) -> str:
     if kind == "extra_forbidden":
         return f"{where}: {_unknown_key(places)}"
     if kind == "missing":
-        return f"{where}: is missing; add it"
+        return f"{where}: is missing; {HOW_TO_FIND.get(str(places[-1]), 'add it')}"
     message = fault["msg"].removeprefix("Value error, ")
     if kind == "value_error":
         return f"{where}: {message}"
@@ -331,9 +339,7 @@ def _unknown_key(places: list[Any]) -> str:
         model = _tables_of(model)[name]
     known = [field.alias or name for name, field in model.model_fields.items()]
     near = difflib.get_close_matches(key, known, n=1)
-    return (
-        f"unknown key; did you mean '{near[0]}'?" if near else f"unknown key; known here: {', '.join(known)}"
-    )
+    return f"unknown key; did you mean '{near[0]}'?" if near else f"unknown key; known here: {', '.join(known)}"
 
 
 def _tables_of(model: type[BaseModel]) -> dict[str, type[BaseModel]]:

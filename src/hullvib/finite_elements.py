@@ -71,7 +71,8 @@ def mesh(girder: Girder, elements: int) -> Array:
     widths = np.diff(edges)
     parts = np.maximum(np.floor(elements * widths + 1e-9), 1.0)
     while parts.sum() < elements:
-        parts[int((widths / parts).argmax())] += 1.0
+        # rounded, so that equal pieces tie whatever the unit of length and the aftmost wins
+        parts[int((widths / parts).round(12).argmax())] += 1.0
     counts = parts.astype(np.intp)
     piece = np.repeat(np.arange(len(counts)), counts)
     within = np.arange(len(piece)) - np.repeat(np.cumsum(counts) - counts, counts)

@@ -62,17 +62,17 @@ def shell_structure(hull: Hull, given: StructureInput) -> Structure:
     """
     shell = shell_section(hull.half_breadth_m, hull.depth_m, hull.p, hull.q, given.shell_thickness_m)
     bare = shell.second_moment
-    at_midships = float(np.interp(hull.midships_x_m, hull.x_m, bare))
+    at_midships = float(np.interp(hull.midships_m, hull.x_m, bare))
     if not at_midships > 0:
         raise LoadingError(
-            f"the shell's second moment at midships (x = {hull.midships_x_m:g} m) is {at_midships:g} m4; "
+            f"the shell's second moment at midships (x = {hull.midships_m:g} m) is {at_midships:g} m4; "
             "the hull has no section there: check the stations and the lengths"
         )
     wanted = given.midship_second_moment_m4
     factor = 1.0 if wanted is None else wanted / at_midships
     floor = SECOND_MOMENT_FLOOR * factor * at_midships
     second_moment = np.maximum(factor * bare, floor)
-    ends = hull.section_area()[[0, -1]]
+    ends = hull.sectional_areas()[[0, -1]]
     return Structure(
         x_m=hull.x_m,
         girth_m=shell.girth,

@@ -106,7 +106,7 @@ def installed_power_kw(particulars: Particulars, displacement_t: float) -> float
     froude_number = TYPE_FIGURES[particulars.type].froude_number
     speed_knots = froude_number * math.sqrt(GRAVITY_M_S2 * length) * KNOTS_PER_M_S
     coefficient = 26.0 * (math.sqrt(length) + 150.0 / speed_knots)
-    return displacement_t ** (2 / 3) * speed_knots**3 / coefficient
+    return float(displacement_t ** (2 / 3) * speed_knots**3 / coefficient)
 
 
 def machinery_and_outfit_weight(particulars: Particulars, displacement_t: float) -> Estimate:

@@ -99,7 +99,7 @@ def condition_items(
         "deadweight",
         condition.deadweight_t * KG_PER_T,
         hull.x_m,
-        hull.section_area(draught_m),
+        hull.sectional_areas(draught_m),
         DEADWEIGHT[0] * length,
         DEADWEIGHT[1] * length,
     )

@@ -1,0 +1,13 @@
+"""Write src/hullform/results.schema.json anew from the types of hullform.results. Run after changing them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from hullform.results import json_schema
+
+PATH = Path(__file__).parent.parent / "src" / "hullform" / "results.schema.json"
+
+if __name__ == "__main__":
+    PATH.write_text(json.dumps(json_schema(), indent=1) + "\n", encoding="utf-8")

@@ -1,0 +1,156 @@
+"""The command `hullform`: one thin function a command.
+
+Exit codes: 0 done; 1 the input is wrong; 2 usage; 3 done, with doubts; 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from hullform.errors import HullformError
+from hullvib.errors import HullvibError
+
+DONE, WRONG_INPUT, DOUBTS, INTERRUPTED = 0, 1, 3, 130
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command; returns its exit code."""
+    options = _parser().parse_args(arguments)
+    command: Callable[[argparse.Namespace], int] = options.command
+    try:
+        return command(options)
+    except (HullformError, HullvibError) as error:
+        _clear_progress()
+        print(error, file=sys.stderr)
+        return WRONG_INPUT
+    except KeyboardInterrupt:
+        _clear_progress()
+        print("interrupted; nothing was left half-written", file=sys.stderr)
+        return INTERRUPTED
+
+
+def _run(options: argparse.Namespace) -> int:
+    from hullform.files import check_replaceable
+    from hullform.pipeline import run_ship
+    from hullform.ship import read_ship
+    from hullform.summary import summary
+    from hullform.writing import write_run
+
+    ship = read_ship(options.ship)
+    folder = options.output or ship.path.parent / "results"
+    check_replaceable(folder, (ship.path, ship.body_plan.image_path), options.force)
+    run = run_ship(ship, _progress)
+    write_run(run, folder, _progress)
+    _clear_progress()
+    print(summary(run))
+    print(f"\nreport: {folder / 'report.html'}")
+    return _doubts(run.doubts)
+
+
+def _trace(options: argparse.Namespace) -> int:
+    from hullform.offsets import write_offsets
+    from hullform.picture.overlay import write_overlay
+    from hullform.picture.reading import read_picture
+    from hullform.ship import read_ship
+
+    ship = read_ship(options.ship)
+    _progress("reading the picture")
+    reading = read_picture(ship)
+    output = options.output or ship.path.parent / "offsets.csv"
+    write_offsets(reading.body_plan, output)
+    if options.overlay:
+        write_overlay(reading, options.overlay)
+    _clear_progress()
+    print(f"{len(reading.body_plan.stations)} stations: {output}")
+    for note in reading.body_plan.notes:
+        print(f"note: {note}")
+    return _doubts(reading.body_plan.doubts)
+
+
+def _mesh(options: argparse.Namespace) -> int:
+    from hullform.hull.mesh_files import export_mesh
+    from hullform.pipeline import loft, trace
+    from hullform.ship import read_ship
+
+    ship = read_ship(options.ship)
+    output = options.output or ship.path.parent / "hull.stl"
+    _progress("reading the picture")
+    body_plan = trace(ship)
+    _progress("fitting sections and lofting the hull")
+    hull = loft(ship, body_plan)
+    export_mesh(hull, output)
+    _clear_progress()
+    print(f"hull of {hull.volume_m3:.6g} m3 to the deck: {output}")
+    return _doubts((*body_plan.doubts, *hull.doubts))
+
+
+def _girder(options: argparse.Namespace) -> int:
+    from hullform.pipeline import girder_of, loft, trace
+    from hullform.ship import read_ship
+    from hullvib.girder_files import write_girder
+
+    ship = read_ship(options.ship)
+    ship.require_condition(options.condition)
+    output = options.output or ship.path.parent / f"girder-{options.condition}.json"
+    _progress("reading the picture")
+    body_plan = trace(ship)
+    hull = loft(ship, body_plan)
+    girder = girder_of(ship, hull, options.condition)
+    write_girder(girder, output)
+    _clear_progress()
+    print(f"girder of {girder.total_mass / 1e3:.6g} t over {girder.length:g} m: {output}")
+    return _doubts((*body_plan.doubts, *hull.doubts))
+
+
+def _doubts(doubts: Sequence[str]) -> int:
+    for doubt in doubts:
+        print(f"doubt: {doubt}", file=sys.stderr)
+    return DOUBTS if doubts else DONE
+
+
+def _progress(step: str) -> None:
+    """Say on a terminal what is being done; silent in a pipe."""
+    if sys.stderr.isatty():
+        print(f"\r\033[K{step} ...", end="", file=sys.stderr, flush=True)
+
+
+def _clear_progress() -> None:
+    if sys.stderr.isatty():
+        print("\r\033[K", end="", file=sys.stderr, flush=True)
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="hullform",
+        description="From a picture of a ship's body plan to her hull-girder vibration.",
+        epilog="Exit codes: 0 done, 1 the input is wrong, 2 usage, 3 done with doubts, 130 interrupted.",
+    )
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+
+    def add(name: str, command: Callable[[argparse.Namespace], int], help: str) -> argparse.ArgumentParser:
+        added = commands.add_parser(name, help=help, description=help)
+        added.add_argument("ship", type=Path, metavar="SHIP.toml", help="the ship's particulars and her picture")
+        added.set_defaults(command=command)
+        return added
+
+    run = add("run", _run, "from the picture to frequencies, with a report")
+    run.add_argument("-o", "--output", type=Path, metavar="DIR", help="default: results beside SHIP.toml")
+    run.add_argument("--force", action="store_true", help="replace DIR even where its files are not ours")
+    trace = add("trace", _trace, "read the stations' curves out of the picture into an offsets table")
+    trace.add_argument("-o", "--output", type=Path, metavar="FILE", help="default: offsets.csv beside SHIP.toml")
+    trace.add_argument("--overlay", type=Path, metavar="FILE", help="also draw what was read over the picture")
+    mesh = add("mesh", _mesh, "loft the hull and write it as a mesh")
+    mesh.add_argument(
+        "-o", "--output", type=Path, metavar="FILE", help="hull.stl beside SHIP.toml by default; .obj .ply .glb too"
+    )
+    girder = add("girder", _girder, "write m(x) and EI(x) of one loading condition")
+    girder.add_argument("--condition", required=True, metavar="NAME", help="a condition of SHIP.toml")
+    girder.add_argument("-o", "--output", type=Path, metavar="FILE", help="default: girder-NAME.json beside SHIP.toml")
+    return parser
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,24 @@
+"""Sections and the hull: from the stations of a body plan to a closed form that floats."""
+
+from hullform.hull.drawn import Extrapolation, FittedStation
+from hullform.hull.fitting import SectionFit, fit_super_ellipse
+from hullform.hull.hydrostatics import Hydrostatics
+from hullform.hull.loft import Hull, Particulars
+from hullform.hull.mesh_files import export_mesh
+from hullform.hull.sections import Sections
+from hullform.hull.super_ellipse import ShellSection, SuperEllipse, shell_section
+
+__all__ = [
+    "Extrapolation",
+    "FittedStation",
+    "Hull",
+    "Hydrostatics",
+    "Particulars",
+    "SectionFit",
+    "Sections",
+    "ShellSection",
+    "SuperEllipse",
+    "export_mesh",
+    "fit_super_ellipse",
+    "shell_section",
+]

@@ -1,0 +1,126 @@
+"""What a hull displaces on even keel, from its sections: exact below the waterline, Gauss-Legendre along the ship."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.optimize import brentq
+
+from hullform.errors import HullError
+from hullform.hull.arcs import curve_points
+from hullform.hull.sections import Sections, interpolated, quadrature
+from hullform.hull.super_ellipse import half_breadth_at, moment_below
+
+Array = NDArray[np.float64]
+
+_GIRTH_POINTS = 41  # a section's polygon is then shorter than the curve by less than 1e-3
+
+
+class Buoyancy(NamedTuple):
+    """Moments of the immersed volume and of the waterplane, each with the leading dimensions of the sections.
+
+    volume (m3) and its moments about x = 0 and the base line (m4); waterplane area (m2), its moment about x = 0 (m3)
+    and its second moments about the centreline and about x = 0 (m4).
+    """
+
+    volume: Array
+    moment_x: Array
+    moment_z: Array
+    waterplane_area: Array
+    waterplane_moment_x: Array
+    waterplane_transverse: Array
+    waterplane_longitudinal: Array
+
+
+@dataclass(frozen=True, slots=True)
+class Hydrostatics:
+    """A hull on even keel at one draught. SI; x from the aft end of the length overall, z from the base line.
+
+    Coefficients use the length between perpendiculars, the moulded breadth and the draught; midships is halfway
+    between the perpendiculars. The wetted surface has no transom or other end faces.
+    """
+
+    draught_m: float
+    water_density_kg_m3: float
+    volume_m3: float
+    displacement_kg: float
+    lcb_x_m: float
+    lcb_from_midships_m: float
+    kb_m: float
+    bm_transverse_m: float
+    bm_longitudinal_m: float
+    waterplane_area_m2: float
+    lcf_x_m: float
+    midship_area_m2: float
+    wetted_surface_m2: float
+    block_coefficient: float
+    midship_coefficient: float
+    prismatic_coefficient: float
+    waterplane_coefficient: float
+
+
+def sectional_areas(sections: Sections, draught: ArrayLike | None = None) -> Array:
+    """Area in m2 of each section below a draught in m above the base line (broadcast), or of the whole section."""
+    level = 0.0 if draught is None else sections.below_top(draught)
+    return moment_below(*sections.shape, level)
+
+
+def waterline_half_breadths(sections: Sections, draught: ArrayLike, deck_tolerance: float) -> Array:
+    """Half-breadth in m at a draught; 0 where the keel lies above it or the top more than the tolerance (m) below."""
+    afloat = half_breadth_at(*sections.shape, sections.below_top(draught))
+    return np.where(np.asarray(draught) > sections.top + deck_tolerance, 0.0, afloat)
+
+
+def buoyancy(x: Array, sections: Sections, draught: ArrayLike, deck_tolerance: float = 0.0) -> Buoyancy:
+    """Integrate volume and waterplane of sections (..., stations) at x (stations,) below a draught in m.
+
+    deck_tolerance: depth in m by which a draught may exceed a section's top and still count as a draught at its top.
+    """
+    place, weight = quadrature(x)
+    between = interpolated(x, sections, place)
+    level = between.below_top(draught)
+    area = moment_below(*between.shape, level)
+    first = moment_below(*between.shape, level, 1)
+    y = waterline_half_breadths(between, draught, deck_tolerance)
+    return Buoyancy(
+        volume=area @ weight,
+        moment_x=area @ (weight * place),
+        moment_z=(between.top * area - first) @ weight,
+        waterplane_area=2 * y @ weight,
+        waterplane_moment_x=2 * y @ (weight * place),
+        waterplane_transverse=2 / 3 * y**3 @ weight,
+        waterplane_longitudinal=2 * y @ (weight * place**2),
+    )
+
+
+def wetted_surface(x: Array, sections: Sections, draught: float) -> float:
+    """Area in m2 of the sides and bottom below a draught, end faces left out, from facets between the sections."""
+    y, zeta = curve_points(*sections.shape, _GIRTH_POINTS, sections.below_top(draught))
+    z = sections.top[:, None] - zeta
+    corner = np.stack([np.broadcast_to(x[:, None], y.shape), y, z], axis=-1)
+    first_diagonal = corner[1:, 1:] - corner[:-1, :-1]
+    second_diagonal = corner[1:, :-1] - corner[:-1, 1:]
+    facets = np.linalg.norm(np.cross(first_diagonal, second_diagonal), axis=-1) / 2
+    # A section wholly above the water has its points gathered at the keel: facets up to it are not wet.
+    wet = sections.keel < draught
+    return float(2 * facets[wet[1:] & wet[:-1]].sum())
+
+
+def draught_of_volume(volume_at: Callable[[float], float], volume: float, lowest: float, highest: float) -> float:
+    """Find the draught in m, between two heights above the base line, at which volume_at(draught) m3 is `volume`.
+
+    Raises HullError where the hull cannot displace so much, or the volume is not positive.
+    """
+    if not np.isfinite(volume) or volume <= 0:
+        raise HullError(f"a displaced volume of {volume:g} m3 has no draught; give a positive one")
+    most = volume_at(highest)
+    if volume > most:
+        raise HullError(
+            f"the hull displaces {most:.6g} m3 at her depth amidships of {highest:.4g} m, less than the "
+            f"{volume:.6g} m3 asked for; check the weights, the scale of the body plan and the breadth and depth given"
+        )
+    return float(brentq(lambda draught: volume_at(draught) - volume, lowest, highest, xtol=1e-10, rtol=1e-12))

@@ -1,0 +1,327 @@
+"""results.json: everything that a run found out, for other programs.
+
+All digits, SI, no NaN; times stand in provenance alone.
+"""
+
+from __future__ import annotations
+
+import datetime
+import hashlib
+import importlib.metadata
+import json
+import platform
+from collections.abc import Iterable
+from dataclasses import asdict
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from hullform.checks import Check
+from hullform.files import PROGRAM
+from hullform.outcome import ConditionRun, Run
+from hullvib.modes import Modes
+
+Finite = Annotated[float, Field(allow_inf_nan=False)]
+Frequencies = list[Finite]
+
+
+class _Table(BaseModel):
+    model_config = ConfigDict(extra="forbid")
+
+
+class Provenance(_Table):
+    """What made the file, from what, and how long it took."""
+
+    program: str
+    versions: dict[str, str]
+    created_utc: str
+    ship_file: str
+    ship_file_sha256: str
+    image: str
+    image_sha256: str
+    seconds: dict[str, Finite]
+
+
+class CheckRecord(_Table):
+    """A plausibility check: value against limit."""
+
+    id: str
+    title: str
+    value: Finite
+    limit: Finite
+    unit: str
+    ok: bool
+    remedy: str
+
+
+class StationRecord(_Table):
+    """A drawn station and its super-ellipse; the ellipse is null where the station is too thin to have a shape."""
+
+    x_m: Finite
+    half: Literal["aft", "fore"]
+    name: str
+    confidence: Finite
+    shared_with_m: list[Finite]
+    half_breadth_m: Finite
+    top_height_m: Finite
+    keel_height_m: Finite
+    p: Finite | None
+    q: Finite | None
+    area_error: Finite | None
+    largest_deviation_m: Finite | None
+
+
+class HullRecord(_Table):
+    """The hull as read and lofted."""
+
+    stations: list[StationRecord]
+    hydrostatics: dict[str, Finite]
+    notes: list[str]
+    calibration: dict[str, Any] | None
+
+
+class StructureRecord(_Table):
+    """The shell at midships, and the curves along the ship."""
+
+    midship_shell_second_moment_m4: Finite
+    thickness_factor: Finite
+    equivalent_thickness_m: Finite
+    youngs_modulus_pa: Finite
+    stations_at_the_floor: int
+    x_m: list[Finite]
+    girth_m: list[Finite]
+    area_m2: list[Finite]
+    neutral_axis_m: list[Finite]
+    second_moment_m4: list[Finite]
+
+
+class Solution(_Table):
+    """Frequencies by one method."""
+
+    method: str
+    theory: str
+    medium: str
+    functions: int | None = None
+    rigid_body: bool | None = None
+    elements: int | None = None
+    solver: str | None = None
+    frequencies_rad_s: Frequencies
+    node_counts: list[int]
+    nodes_m: list[list[Finite]]
+
+
+class Headline(_Table):
+    """The figures to quote, and what they are figures of. The band is null while the model's own is not known."""
+
+    medium: str
+    theory: str
+    frequencies_hz: Frequencies
+    band: None = None
+
+
+class DistortionRecord(_Table):
+    """How the modes differ from the uniform beam's."""
+
+    weights: list[list[Finite]]
+    diagonal_dominance: list[Finite | None]
+    nondimensional_frequencies: Frequencies
+    node_shifts_m: list[list[Finite] | None]
+    antinode_shifts_m: list[list[Finite] | None]
+    energy_bounds_m: list[Finite]
+    kinetic_energy_shares: list[list[Finite]]
+    strain_energy_shares: list[list[Finite]]
+    mass_correlation: list[Finite]
+    rigidity_correlation: list[Finite]
+
+
+class WeightRecord(_Table):
+    """One weight: its mass and the x of its centre."""
+
+    name: str
+    mass_kg: Finite
+    centre_m: Finite | None
+
+
+class ConditionRecord(_Table):
+    """One loading condition."""
+
+    label: str
+    mass_kg: Finite
+    lcg_m: Finite
+    displacement_kg: Finite
+    draughts: dict[str, Finite]
+    weights: list[WeightRecord]
+    hydrostatics: dict[str, Finite]
+    checks: list[CheckRecord]
+    doubts: list[str]
+    dry_rad_s: dict[str, Frequencies]
+    empirical_rad_s: dict[str, Frequencies]
+    empirical_inputs: dict[str, Finite]
+    headline: Headline
+    solutions: list[Solution]
+    convergence: dict[str, dict[str, Frequencies]]
+    distortion: DistortionRecord
+
+
+class Results(_Table):
+    """The whole file."""
+
+    model_config = ConfigDict(extra="forbid", validate_by_name=True, validate_by_alias=True)
+
+    schema_number: Annotated[Literal[1], Field(alias="schema")]
+    provenance: Provenance
+    ship: dict[str, Any]
+    hull: HullRecord
+    structure: StructureRecord
+    checks: list[CheckRecord]
+    doubts: list[str]
+    conditions: dict[str, ConditionRecord]
+
+
+def results_of(run: Run) -> Results:
+    """Collect a run's figures."""
+    return Results(
+        schema_number=1,
+        provenance=_provenance(run),
+        ship=run.ship.particulars.model_dump(mode="json", exclude_none=True),
+        hull=_hull(run),
+        structure=_structure(run),
+        checks=_checks(run.checks),
+        doubts=list(run.doubts),
+        conditions={name: _condition(condition) for name, condition in run.conditions.items()},
+    )
+
+
+def write_results(run: Run, path: Path) -> None:
+    """Write a run's results.json."""
+    document = results_of(run).model_dump(mode="json", by_alias=True)
+    path.write_text(json.dumps(document, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+
+
+def json_schema() -> dict[str, Any]:
+    """The JSON schema of results.json, as shipped beside this module."""
+    return Results.model_json_schema(mode="serialization")
+
+
+def _provenance(run: Run) -> Provenance:
+    packages = ("hullform", "numpy", "scipy", "opencv-python-headless", "trimesh")
+    image = run.ship.body_plan.image_path
+    return Provenance(
+        program=PROGRAM,
+        versions={"python": platform.python_version(), **{name: importlib.metadata.version(name) for name in packages}},
+        created_utc=datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
+        ship_file=run.ship.path.name,
+        ship_file_sha256=_digest(run.ship.path),
+        image=image.name,
+        image_sha256=_digest(image),
+        seconds=dict(run.seconds),
+    )
+
+
+def _digest(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def _checks(checks: Iterable[Check]) -> list[CheckRecord]:
+    return [CheckRecord(**asdict(check)) for check in checks]
+
+
+def _hull(run: Run) -> HullRecord:
+    records = []
+    for station, fitted in zip(run.body_plan.stations, run.hull.fits, strict=True):
+        fit = fitted.fit
+        records.append(
+            StationRecord(
+                x_m=station.x_m,
+                half=station.half,
+                name=station.name,
+                confidence=station.confidence,
+                shared_with_m=list(station.shared_with_m),
+                half_breadth_m=fitted.half_breadth_m,
+                top_height_m=fitted.top_height_m,
+                keel_height_m=fitted.keel_height_m,
+                p=None if fit is None else fit.ellipse.p,
+                q=None if fit is None else fit.ellipse.q,
+                area_error=None if fit is None else fit.area_error,
+                largest_deviation_m=None if fit is None else fit.largest_deviation_m,
+            )
+        )
+    calibration = run.body_plan.calibration
+    return HullRecord(
+        stations=records,
+        hydrostatics=asdict(run.at_draught),
+        notes=list(run.body_plan.notes),
+        calibration=None if calibration is None else asdict(calibration),
+    )
+
+
+def _structure(run: Run) -> StructureRecord:
+    structure = run.structure
+    return StructureRecord(
+        midship_shell_second_moment_m4=structure.midship_shell_second_moment_m4,
+        thickness_factor=structure.thickness_factor,
+        equivalent_thickness_m=structure.equivalent_thickness_m,
+        youngs_modulus_pa=structure.youngs_modulus_pa,
+        stations_at_the_floor=structure.floored,
+        x_m=structure.x_m.tolist(),
+        girth_m=structure.girth_m.tolist(),
+        area_m2=structure.area_m2.tolist(),
+        neutral_axis_m=structure.neutral_axis_m.tolist(),
+        second_moment_m4=structure.second_moment_m4.tolist(),
+    )
+
+
+def _solution(modes: Modes) -> Solution:
+    return Solution(
+        **modes.method,
+        theory=modes.theory,
+        medium=modes.medium,
+        frequencies_rad_s=modes.angular_frequencies.tolist(),
+        node_counts=modes.node_counts.tolist(),
+        nodes_m=[nodes.tolist() for nodes in modes.nodes()],
+    )
+
+
+def _condition(run: ConditionRun) -> ConditionRecord:
+    floating, modes = run.floating, run.modes
+    return ConditionRecord(
+        label=run.condition.title,
+        mass_kg=run.mass_kg,
+        lcg_m=run.girder.centre_of_gravity,
+        displacement_kg=floating.displacement_kg,
+        draughts={"aft_m": floating.draught_m, "fore_m": floating.draught_m},
+        weights=[
+            WeightRecord(name=item.name, mass_kg=item.mass_kg, centre_m=item.centre_m if item.mass_kg else None)
+            for item in run.items
+        ],
+        hydrostatics=asdict(floating),
+        checks=_checks(run.checks),
+        doubts=[check.doubt for check in run.checks if not check.ok],
+        dry_rad_s={name: found.angular_frequencies.tolist() for name, found in run.solutions.items()},
+        empirical_rad_s={name: found.tolist() for name, found in run.empirical.figures_rad_s.items()},
+        empirical_inputs=dict(run.empirical.inputs),
+        headline=Headline(medium=modes.medium, theory=modes.theory, frequencies_hz=modes.frequencies_hz.tolist()),
+        solutions=[_solution(found) for found in run.solutions.values()],
+        convergence={"ritz": {str(functions): found.tolist() for functions, found in run.convergence_rad_s.items()}},
+        distortion=_distortion(run),
+    )
+
+
+def _distortion(run: ConditionRun) -> DistortionRecord:
+    found = run.distortion
+    shifts = [[shift.shift for shift in kind] for kind in (found.nodes, found.antinodes)]
+    node_shifts, antinode_shifts = ([None if s is None else s.tolist() for s in kind] for kind in shifts)
+    return DistortionRecord(
+        weights=found.weights.tolist(),
+        # a uniform girder's weights are the unit matrix, and dominance is without bound
+        diagonal_dominance=[float(value) if value < float("inf") else None for value in found.diagonal_dominance],
+        nondimensional_frequencies=found.nondimensional.tolist(),
+        node_shifts_m=node_shifts,
+        antinode_shifts_m=antinode_shifts,
+        energy_bounds_m=found.energy.bounds_m.tolist(),
+        kinetic_energy_shares=found.energy.kinetic.tolist(),
+        strain_energy_shares=found.energy.strain.tolist(),
+        mass_correlation=found.correlation.mass.tolist(),
+        rigidity_correlation=found.correlation.rigidity.tolist(),
+    )

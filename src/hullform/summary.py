@@ -1,0 +1,32 @@
+"""The answer on a terminal: every condition's first frequencies, to three significant figures."""
+
+from __future__ import annotations
+
+from hullform.outcome import Run
+from hullform.report.numbers import significant
+
+SHOWN = 3
+
+
+def summary(run: Run) -> str:
+    """A table of conditions with mass, even-keel draught and the first modes."""
+    of_ship = run.ship.particulars
+    lines = [
+        f"{of_ship.name}: LOA {of_ship.length_overall_m:g} m, LPP {of_ship.length_between_perpendiculars_m:g} m, "
+        f"B {of_ship.breadth_m:g} m, D {of_ship.depth_m:g} m, T {of_ship.draught_m:g} m",
+        "Vertical bending, dry Euler-Bernoulli beam: neither water nor shear is in these figures.",
+        "",
+        f"{'condition':<14}{'mass, t':>9}{'draught, m':>12}{'mode':>6}{'nodes':>7}"
+        f"{'Hz':>9}{'cycles/min':>12}{'rad/s':>9}",
+    ]
+    for name, condition in run.conditions.items():
+        modes = condition.modes
+        first = f"{name:<14}{condition.mass_kg / 1e3:>9.0f}{condition.floating.draught_m:>12.2f}"
+        for mode in range(SHOWN):
+            lines.append(
+                f"{first if mode == 0 else '':<35}{mode + 1:>6}{modes.node_counts[mode]:>7}"
+                f"{significant(modes.frequencies_hz[mode]):>9}"
+                f"{significant(modes.cycles_per_minute[mode]):>12}"
+                f"{significant(modes.angular_frequencies[mode]):>9}"
+            )
+    return "\n".join(lines)

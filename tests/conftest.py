@@ -1,0 +1,51 @@
+"""What several kinds of test share: the ships of bodyplans/, each run once a worker."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+SHIPS = ("scim-containership", "ds-tanker", "wigley")
+
+
+@dataclass(frozen=True)
+class FinishedRun:
+    """A run by the command line: its exit code, its folder, its results.json."""
+
+    code: int
+    folder: Path
+    results: dict[str, Any]
+
+
+@pytest.fixture(scope="session")
+def finished_run(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], FinishedRun]:
+    """Runs a ship of bodyplans/ once and hands out what it wrote."""
+    known: dict[str, FinishedRun] = {}
+
+    def run(ship: str) -> FinishedRun:
+        if ship not in known:
+            from hullform.cli import main
+
+            folder = tmp_path_factory.mktemp("runs") / ship
+            code = main(["run", str(ROOT / "bodyplans" / ship / "ship.toml"), "-o", str(folder)])
+            results = json.loads((folder / "results.json").read_text(encoding="utf-8"))
+            known[ship] = FinishedRun(code, folder, results)
+        return known[ship]
+
+    return run
+
+
+@pytest.fixture
+def shared() -> Path:
+    """Reference data from outside the project; tests that read it are skipped where it is absent."""
+    folder = Path(os.environ.get("HULLFORM_SHARED", ROOT / ".." / "shared"))
+    if not folder.is_dir():
+        pytest.skip(f"no reference data at {folder}; name their folder in HULLFORM_SHARED")
+    return folder

@@ -1,0 +1,90 @@
+"""The checks of floating: what passes, what fails, and what is said."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import pytest
+
+from hullform import checks
+from hullform.hull.hydrostatics import Hydrostatics
+from hullform.loading.watson import Estimate
+
+# A box barge 100 x 20 m at 5 m: BM_L = L^2 / (12 T), midships at 50 m.
+BARGE = Hydrostatics(
+    draught_m=5.0,
+    water_density_kg_m3=1025.0,
+    volume_m3=10000.0,
+    displacement_kg=10.25e6,
+    lcb_x_m=50.0,
+    lcb_from_midships_m=0.0,
+    kb_m=2.5,
+    bm_transverse_m=20.0**2 / (12 * 5.0),
+    bm_longitudinal_m=100.0**2 / (12 * 5.0),
+    waterplane_area_m2=2000.0,
+    lcf_x_m=50.0,
+    midship_area_m2=100.0,
+    wetted_surface_m2=3000.0,
+    block_coefficient=1.0,
+    midship_coefficient=1.0,
+    prismatic_coefficient=1.0,
+    waterplane_coefficient=1.0,
+)
+
+
+@pytest.mark.parametrize(
+    ("lcg", "percent", "ok"), [(50.0, 0.0, True), (48.0, 1.2, True), (47.0, 1.8, False), (51.0, -0.6, False)]
+)
+def test_trim_is_the_lever_over_the_metacentre(lcg: float, percent: float, ok: bool) -> None:
+    # t / LPP = lever / BM_L = lever / 166.67 m; by the stern positive, limits 1.5 % and 0.5 %
+    check = checks.check_trim(lcg, BARGE)
+    assert check.value == pytest.approx(percent, abs=1e-12)
+    assert check.ok is ok
+    assert ("bow" in check.title) is (percent < 0)
+
+
+@pytest.mark.parametrize(("mass", "percent", "ok"), [(10.25e6, 0.0, True), (10.0e6, 2.5, False), (10.6e6, -3.3, False)])
+def test_buoyancy_against_mass(mass: float, percent: float, ok: bool) -> None:
+    check = checks.check_displacement(mass, BARGE)
+    assert check.value == pytest.approx(percent, abs=0.01)
+    assert check.ok is ok
+
+
+def test_a_ship_heavier_than_her_hull_sinks() -> None:
+    assert checks.check_floating(10.3e6, 10.25e6, 5.0).ok  # half a per cent: within what a drawing can be read to
+    assert not checks.check_floating(11e6, 10.25e6, 5.0).ok
+
+
+@pytest.mark.parametrize(("weight", "ok"), [(900.0, False), (1100.0, True), (3900.0, True), (4100.0, False)])
+def test_light_ship_within_a_factor_of_two(weight: float, ok: bool) -> None:
+    assert checks.check_light_ship(weight, Estimate(2000.0, 1000.0, 4000.0)).ok is ok
+
+
+def test_what_the_file_says_is_held_against_what_was_read() -> None:
+    from hullform.ship import Particulars
+
+    given = Particulars(
+        name="barge",
+        type="coaster",
+        length_overall_m=100.0,
+        length_between_perpendiculars_m=100.0,
+        breadth_m=20.0,
+        depth_m=8.0,
+        draught_m=5.0,
+        displacement_t=10000.0,
+        block_coefficient=0.995,
+        lcb_from_midships_m=1.0,
+    )
+    displacement, block, lcb = checks.checks_of_the_hull(given, BARGE)
+    assert (displacement.value, displacement.ok) == (pytest.approx(2.5), False)
+    assert (block.value, block.ok) == (pytest.approx(0.5025, abs=1e-4), True)
+    assert (lcb.value, lcb.ok) == (pytest.approx(-1.0), False)
+    bare = given.model_copy(update={"displacement_t": None, "block_coefficient": None, "lcb_from_midships_m": None})
+    assert checks.checks_of_the_hull(bare, BARGE) == ()
+
+
+def test_a_doubt_names_number_limit_and_remedy() -> None:
+    doubt = checks.check_displacement(10.0e6, dataclasses.replace(BARGE, draught_m=5.2)).doubt
+    assert "2.5 %" in doubt
+    assert "limit 1 %" in doubt
+    assert "check the draught" in doubt

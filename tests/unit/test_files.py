@@ -1,0 +1,74 @@
+"""Files and folders appear whole or not at all."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from hullform.errors import OutputError
+from hullform.files import PROGRAM, RESULTS_NAME, check_replaceable, whole_file, whole_folder
+
+
+def ours(folder: Path) -> Path:
+    folder.mkdir()
+    (folder / RESULTS_NAME).write_text(json.dumps({"schema": 1, "provenance": {"program": PROGRAM}}))
+    return folder
+
+
+def test_a_file_replaces_the_old_one_only_when_it_is_whole(tmp_path: Path) -> None:
+    path = tmp_path / "a.txt"
+    path.write_text("old")
+    with pytest.raises(RuntimeError), whole_file(path) as aside:
+        aside.write_text("half")
+        raise RuntimeError
+    assert path.read_text() == "old"
+    with whole_file(path) as aside:
+        aside.write_text("new")
+    assert path.read_text() == "new"
+    assert [p.name for p in tmp_path.iterdir()] == ["a.txt"]
+
+
+def test_a_folder_replaces_the_old_one_only_when_it_is_whole(tmp_path: Path) -> None:
+    folder = ours(tmp_path / "results")
+    with pytest.raises(RuntimeError), whole_folder(folder) as aside:
+        (aside / "half").touch()
+        raise RuntimeError
+    assert [p.name for p in folder.iterdir()] == [RESULTS_NAME]
+    with whole_folder(folder) as aside:
+        (aside / "new").touch()
+    assert [p.name for p in folder.iterdir()] == ["new"]
+    assert [p.name for p in tmp_path.iterdir()] == ["results"]
+
+
+def test_a_place_that_cannot_be_written_is_told(tmp_path: Path) -> None:
+    with pytest.raises(OutputError, match="choose another place"), whole_file(tmp_path / "none" / "a.txt"):
+        pass
+    (tmp_path / "file").touch()
+    with pytest.raises(OutputError, match="choose another place"), whole_folder(tmp_path / "file" / "results"):
+        pass
+
+
+def test_only_our_own_results_are_replaced_without_force(tmp_path: Path) -> None:
+    check_replaceable(tmp_path / "new", (), force=False)
+    check_replaceable(ours(tmp_path / "ours"), (), force=False)
+    (tmp_path / "empty").mkdir()
+    check_replaceable(tmp_path / "empty", (), force=False)
+    other = tmp_path / "other"
+    other.mkdir()
+    (other / "thesis.doc").touch()
+    with pytest.raises(OutputError, match="not results of ours"):
+        check_replaceable(other, (), force=False)
+    check_replaceable(other, (), force=True)
+    with pytest.raises(OutputError, match="is a file"):
+        check_replaceable(other / "thesis.doc", (), force=True)
+
+
+def test_a_folder_that_holds_an_input_is_never_replaced(tmp_path: Path) -> None:
+    ship = tmp_path / "ship.toml"
+    ship.touch()
+    with pytest.raises(OutputError, match=r"holds ship\.toml, which this run reads"):
+        check_replaceable(tmp_path, (ship,), force=True)
+    with pytest.raises(OutputError, match=r"holds ship\.toml"):
+        check_replaceable(tmp_path.parent, (ship,), force=True)

@@ -1,0 +1,228 @@
+"""The report of a made-up ship: what stands in it, and that it asks for nothing from outside."""
+
+from __future__ import annotations
+
+import re
+import sys
+from dataclasses import dataclass, replace
+from html.parser import HTMLParser
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from hullform.body_plan import BodyPlan, Station, TracedCurve
+from hullform.outcome import Run
+from hullform.pipeline import run_ship
+from hullform.report.numbers import significant
+from hullform.report.page import draw_pictures, failed_checks, floating_faults, render, write_report
+from hullform.report.wording import reading_of_mode
+from hullform.ship import read_ship
+
+# The particulars of the paper's container ship, so that her report has its appendix; the hull is a plain one with
+# parabolic waterlines and sections, of far too little displacement: her checks of floating fail.
+SHIP = """
+schema = 1
+[ship]
+name = "SCIM containership"
+type = "container"
+length_overall_m = 262.0
+length_between_perpendiculars_m = 248.0
+aft_perpendicular_m = 7.0
+breadth_m = 32.2
+depth_m = 19.5
+draught_m = 13.2
+displacement_t = 74660.0
+[body_plan]
+image = "bodyplan.png"
+aft_side = "left"
+aft_stations_m = [13.1, 39.3, 65.5, 91.7, 117.9]
+fore_stations_m = [144.1, 170.3, 196.5, 222.7, 248.9]
+[structure]
+midship_second_moment_m4 = 253.0
+[weights]
+steel_weight_t = 15103.0
+semi_concentrated_weight_t = 1772.0
+[[conditions]]
+name = "loaded"
+label = "loaded <fully>"
+deadweight_t = 57785.0
+[[conditions]]
+name = "light-ship"
+deadweight_t = 0.0
+"""
+
+
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """As much of a reading as the report needs."""
+
+    body_plan: BodyPlan
+
+
+def _sections() -> BodyPlan:
+    xs = [13.1, 39.3, 65.5, 91.7, 117.9, 144.1, 170.3, 196.5, 222.7, 248.9]
+    z = np.linspace(0.0, 19.5, 60)
+    stations = []
+    for x in xs:
+        y = 16.1 * (1 - (2 * x / 262.0 - 1) ** 2) * (1 - (1 - z / 19.5) ** 2)
+        stations.append(Station(x, "aft" if x < 131 else "fore", (TracedCurve(y, z, 0.9),)))
+    return BodyPlan(tuple(stations), "picture", notes=("a note",), doubts=("station 13.1: look & see",))
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory: pytest.TempPathFactory) -> Run:
+    path = tmp_path_factory.mktemp("ship") / "ship.toml"
+    path.write_text(SHIP, encoding="utf-8")
+    picture, overlay = ModuleType("hullform.picture.reading"), ModuleType("hullform.picture.overlay")
+    picture.read_picture = lambda ship: Reading(_sections())  # type: ignore[attr-defined]
+    overlay.draw_overlay = lambda reading: np.full((40, 60, 3), 200, dtype=np.uint8)  # type: ignore[attr-defined]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setitem(sys.modules, picture.__name__, picture)
+        patch.setitem(sys.modules, overlay.__name__, overlay)
+        yield run_ship(read_ship(path))
+
+
+@pytest.fixture(scope="module")
+def page(run: Run) -> str:
+    return render(run, draw_pictures(run), "<html><script>1 < 2</script></html>")
+
+
+def test_report_and_figures_are_written(run: Run, tmp_path: Path) -> None:
+    write_report(run, tmp_path)
+    assert {path.name for path in tmp_path.iterdir()} == {"report.html", "figures"}
+    names = {path.name for path in (tmp_path / "figures").iterdir()}
+    assert names == {
+        "overlay.jpg", "body-plan-fit.svg", "sectional-areas.svg", "hull.png", "mass.svg", "structure.svg",
+        "modes-loaded.svg", "modes-light-ship.svg", "convergence.svg",
+    }  # fmt: skip
+    # the limit that the design sets for a page that is mailed about
+    assert (tmp_path / "report.html").stat().st_size < 8e6
+
+
+def test_a_ship_that_does_not_float_right_has_a_banner_and_one_that_does_has_none(run: Run) -> None:
+    banner = 'role="alert"'
+    light = run.conditions["light-ship"]
+    sound = replace(light, checks=tuple(replace(check, ok=True) for check in light.checks))
+    sinking = replace(light, checks=(replace(light.checks[0], id="floats", ok=False, remedy="lighten her"),))
+    pictures = draw_pictures(run)
+    assert banner not in render(replace(run, conditions={"light-ship": sound}), pictures, "")
+    text = render(replace(run, conditions={"light-ship": sinking}), pictures, "")
+    assert text.count(banner) == 1
+    assert "light-ship: does not float right." in text
+    assert "lighten her" in text
+
+
+def test_this_ship_fails_her_checks_and_says_so_in_words(run: Run, page: str) -> None:
+    assert floating_faults(run.conditions["loaded"])
+    assert 'class="fails"' in page
+    assert ">fails</span>" in page
+    assert page.count('role="alert"') == sum(bool(floating_faults(c)) for c in run.conditions.values())
+
+
+def test_failed_checks_of_floating_stand_in_the_banner_only(run: Run) -> None:
+    told = " ".join(failed_checks(run))
+    assert "would cause" not in told
+    assert "displacement read at the design draught" in told
+
+
+def test_first_screen_has_each_frequency_to_three_figures(run: Run, page: str) -> None:
+    start = page[page.index('class="headline"') : page.index('id="picture"')]
+    for condition in run.conditions.values():
+        for mode in range(3):
+            assert f"<b>{significant(condition.modes.frequencies_hz[mode])} Hz</b>" in start
+            assert f"{significant(condition.modes.cycles_per_minute[mode])} cycles/min" in start
+
+
+def test_text_of_the_user_is_escaped(page: str) -> None:
+    assert "loaded &lt;fully&gt;" in page
+    assert "<fully>" not in page
+    assert "look &amp; see" in page
+
+
+def test_appendix_has_the_printed_figures(page: str, run: Run) -> None:
+    assert 'id="table-2"' in page
+    assert "SCIM Containership (Loaded)" in page
+    assert "<td>22.62</td>" in page
+    other = replace(
+        run, ship=run.ship.model_copy(update={"particulars": run.ship.particulars.model_copy(update={"name": "other"})})
+    )
+    assert 'id="table-2"' not in render(other, draw_pictures(run), "")
+
+
+class _Outline(HTMLParser):
+    """Ids, links within the page, addresses, and elements left open."""
+
+    VOID = frozenset({"meta", "link", "img", "br"})
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.ids: list[str] = []
+        self.targets: list[str] = []
+        self.addresses: list[str] = []
+        self.open: list[str] = []
+        self.images_without_words = 0
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        given = dict(attributes)
+        if given.get("id"):
+            self.ids.append(str(given["id"]))
+        href = given.get("href") or given.get("xlink:href") or ""
+        if href.startswith("#"):
+            self.targets.append(href[1:])
+        self.addresses += [value for key in ("src", "href", "data") if (value := given.get(key))]
+        self.images_without_words += tag == "img" and not given.get("alt")
+        self.images_without_words += tag == "svg" and not given.get("aria-label")
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        self.handle_starttag(tag, attributes)
+        if tag not in self.VOID:
+            self.open.pop()
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+def test_page_is_whole_and_asks_for_nothing_outside(page: str) -> None:
+    outline = _Outline()
+    outline.feed(page)
+    assert outline.open == []
+    assert len(outline.ids) == len(set(outline.ids))
+    assert set(outline.targets) <= set(outline.ids)
+    assert outline.images_without_words == 0
+    assert [address for address in outline.addresses if not address.startswith(("#", "data:"))] == []
+    assert not re.search(r"url\((?!#)|@import", page)
+
+
+def test_viewer_cannot_end_its_script(page: str) -> None:
+    held = re.search(r'<script type="application/json" id="hull-page">(.*?)</script>', page, re.DOTALL)
+    assert held is not None
+    assert "<" not in held[1]
+    assert "\\u003cscript>1 \\u003c 2" in held[1]
+
+
+def test_plain_words_follow_the_figures(run: Run) -> None:
+    condition = run.conditions["light-ship"]
+    weights = np.zeros((5, 12))
+    weights[0, 0], weights[0, 2] = 0.4, 1.0
+    strange = replace(condition, distortion=replace(condition.distortion, weights=weights))
+    assert "mode 3, not 1, has the largest weight" in reading_of_mode(strange, 0)
+    weights[0, 2] = 0.1
+    dominance = np.full(5, 4.0)
+    plain = replace(condition.distortion, weights=weights, diagonal_dominance=dominance)
+    words = reading_of_mode(replace(condition, distortion=plain), 0)
+    assert "outweighs all others together 4.0 times" in words
+    heavy = replace(plain, correlation=replace(plain.correlation, mass=np.full(5, 0.5), rigidity=np.full(5, -0.5)))
+    words = reading_of_mode(replace(condition, distortion=heavy), 0)
+    assert "heavy where the uniform mode moves most" in words
+    assert "soft where that mode bends most" in words
+
+
+def test_figures_are_the_same_bytes_for_the_same_run(run: Run) -> None:
+    first, second = draw_pictures(run), draw_pictures(run)
+    assert {name: picture.content for name, picture in first.items()} == {
+        name: picture.content for name, picture in second.items()
+    }

@@ -1,0 +1,129 @@
+"""ship.toml: what is read, and how each fault is told."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from hullform.errors import ShipFileError
+from hullform.ship import read_ship
+
+GOOD = """
+schema = 1
+[ship]
+name = "Test ship"
+type = "container"
+length_overall_m = 110.0
+length_between_perpendiculars_m = 100.0
+aft_perpendicular_m = 4.0
+breadth_m = 16.0
+depth_m = 10.0
+draught_m = 6.0
+[body_plan]
+image = "plan.png"
+aft_side = "left"
+aft_stations_m = [0.0, 20.0, 54.0]
+fore_stations_m = [54.0, 90.0]
+[structure]
+[weights]
+[[conditions]]
+name = "loaded"
+deadweight_t = 1000.0
+"""
+
+
+def written(folder: Path, text: str) -> Path:
+    path = folder / "ship.toml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_a_good_file_is_read_with_its_defaults(tmp_path: Path) -> None:
+    ship = read_ship(written(tmp_path, GOOD))
+    structure, weights, conditions = ship.require_sections_of_a_run()
+    assert ship.particulars.aft_perpendicular_m == 4.0
+    assert ship.body_plan.image_path == tmp_path / "plan.png"
+    assert (structure.youngs_modulus_pa, structure.shell_thickness_m) == (2.06e11, 0.016)
+    assert weights.machinery_share == 0.7
+    assert conditions[0].title == "loaded"
+    assert ship.water.density_kg_m3 == 1025.0
+
+
+def test_the_aft_perpendicular_is_at_the_aft_end_where_the_lengths_agree(tmp_path: Path) -> None:
+    text = GOOD.replace("length_overall_m = 110.0", "length_overall_m = 100.0").replace(
+        "aft_perpendicular_m = 4.0\n", ""
+    )
+    assert read_ship(written(tmp_path, text)).particulars.aft_perpendicular_m == 0.0
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("breadth_m = 16.0", "breadht_m = 16.0", "ship.breadht_m: unknown key; did you mean 'breadth_m'?"),
+        ("breadth_m = 16.0", "", "ship.breadth_m: is missing"),
+        ("breadth_m = 16.0", "breadth_m = -16.0", "ship.breadth_m = -16.0: input should be greater than 0"),
+        ("breadth_m = 16.0", "breadth_m = nan", "ship.breadth_m = nan: input should be a finite number"),
+        ("aft_perpendicular_m = 4.0", "", "ship.aft_perpendicular_m: is missing; the length between perpendiculars"),
+        ("aft_perpendicular_m = 4.0", "aft_perpendicular_m = 14.0", "fore perpendicular at x = 114 m"),
+        ("draught_m = 6.0", "draught_m = 12.0", "draught_m = 12 is above depth_m = 10"),
+        ('type = "container"', 'type = "canoe"', "ship.type = 'canoe'"),
+        ("schema = 1", "schema = 2", "schema = 2"),
+        ("[0.0, 20.0, 54.0]", "[0.0, 54.0, 20.0]", "20 follows 54; list each half's stations from aft forward"),
+        ("[54.0, 90.0]", "[54.0, 190.0]", "fore_stations_m has 190, outside the ship"),
+        ("deadweight_t = 1000.0", "deadweight_t = -1.0", "conditions.0.deadweight_t = -1.0"),
+        ('name = "loaded"', 'name = "Fully Loaded"', "conditions.0.name = 'Fully Loaded'"),
+        ("[weights]", "[weights]\nsteel_weight_t = -5.0", "weights.steel_weight_t = -5.0"),
+        ("[weights]", "[weights]\n[excitation]", "excitation: is reserved for a later version"),
+        ("[body_plan]", "[body_plan]\nmesh = 'x.stl'", "body_plan.mesh: is reserved for a later version"),
+        ("[structure]", "[structure]\nmidship_shear_area_m2 = 1.0", "is reserved for a later version"),
+        ("[ship]", "ship = 3\n[other]", "ship = 3: "),
+        ("schema = 1", "schema = ", "is no TOML"),
+    ],
+)
+def test_each_fault_is_named_with_its_place(tmp_path: Path, old: str, new: str, told: str) -> None:
+    assert old in GOOD
+    with pytest.raises(ShipFileError) as raised:
+        read_ship(written(tmp_path, GOOD.replace(old, new, 1)))
+    assert told in str(raised.value)
+
+
+def test_every_fault_of_a_file_is_listed_at_once(tmp_path: Path) -> None:
+    text = GOOD.replace("breadth_m = 16.0", "breadth_m = -1.0").replace("[weights]", "[weights]\nstel_weight_t = 1.0")
+    with pytest.raises(ShipFileError) as raised:
+        read_ship(written(tmp_path, text))
+    lines = str(raised.value).splitlines()
+    assert len(lines) == 2
+    assert all(line.startswith(str(tmp_path / "ship.toml")) for line in lines)
+
+
+def test_two_conditions_may_not_share_a_name(tmp_path: Path) -> None:
+    with pytest.raises(ShipFileError, match="two conditions are called 'loaded'"):
+        read_ship(written(tmp_path, GOOD + '[[conditions]]\nname = "loaded"\ndeadweight_t = 1.0\n'))
+
+
+def test_a_mark_must_name_a_listed_station(tmp_path: Path) -> None:
+    mark = '[[body_plan.marks]]\nstation_m = 33.0\nhalf = "aft"\npx = [1.0, 2.0]\n'
+    with pytest.raises(ShipFileError, match="a mark names station 33 m of the aft half"):
+        read_ship(written(tmp_path, GOOD.replace("[structure]", mark + "[structure]")))
+
+
+def test_a_missing_file_a_folder_and_a_binary_file_are_told_apart(tmp_path: Path) -> None:
+    with pytest.raises(ShipFileError, match="no such file"):
+        read_ship(tmp_path / "none.toml")
+    with pytest.raises(ShipFileError, match=r"is a folder|cannot be read"):
+        read_ship(tmp_path)
+    (tmp_path / "binary.toml").write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(ShipFileError, match="UTF-8"):
+        read_ship(tmp_path / "binary.toml")
+
+
+def test_a_run_names_the_tables_that_it_misses(tmp_path: Path) -> None:
+    ship = read_ship(written(tmp_path, GOOD[: GOOD.index("[structure]")]))
+    with pytest.raises(ShipFileError, match=r"\[structure\], \[weights\], \[\[conditions\]\]"):
+        ship.require_sections_of_a_run()
+
+
+def test_an_unknown_condition_is_told_with_the_known_ones(tmp_path: Path) -> None:
+    with pytest.raises(ShipFileError, match="no condition 'empty'; its conditions: loaded"):
+        read_ship(written(tmp_path, GOOD)).require_condition("empty")
