@@ -32,7 +32,10 @@ prepare() {
     "$python" -m venv "$venv" || { say 'The virtual environment could not be made; see above.'; exit 1; }
     printf '%s' "$place" >"$venv/made-for"
   fi
-  [ -f "$venv/has-$extras" ] && return 0
+  # Any set of extras holds the project itself.
+  for have in "$venv/has-$extras"*; do
+    [ -f "$have" ] && return 0
+  done
   say "Installing the project${extras:+ with its '$extras' tools} into .venv ..."
   if ! "$venv/bin/python" -m pip install --quiet --disable-pip-version-check --editable "$root${extras:+[$extras]}" >&2; then
     say 'The installation failed; see above. It needs the Python package index: check the connection and run this again.'

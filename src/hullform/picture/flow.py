@@ -1,0 +1,274 @@
+"""Which tracklets belong to which station: one min-cost flow for all curves of a half.
+
+Every curve is a unit of flow from the keel or centre line to the deck. A tracklet pays for its length once; a second
+curve may share it only where the ink is wide enough for two lines; links across gaps cost what they bend. Solving for
+all curves at once keeps one curve from taking its neighbour's continuation. The programme is a network's, so the
+optimum of the linear relaxation is integral.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linprog
+from scipy.sparse import coo_matrix
+
+from hullform.picture.frame import DiagonalFrame
+from hullform.picture.ink import Ink
+from hullform.picture.lines import Mask
+from hullform.picture.ridges import Tracklet
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+REFERENCE_PX = 800.0  # per B/2: the costs below are for a drawing of this size and scale with it
+LONGEST_GAP = 0.09  # of B/2
+COST_OF_CURVE = 45.0  # what a curve must gather: half of the shortest station that is drawn, twice a label's stroke
+DEAREST_LINK = 120.0
+COST_OF_KNUCKLE = 25.0
+REACH_OF_KEEL_PX = 12.0  # an end so near the centre line or base line is one on it
+DEAREST_ENTRY = 1500.0
+DEAREST_EXIT = 500.0
+COST_OF_END_ON_PAPER = 110.0  # ends below the deck where no ink goes on
+COST_OF_END_ON_INK = 1200.0  # more, for ink ahead
+COST_AT_SIDE = 12.0  # ends in the line of B/2, which goes on to the deck
+MARGIN_OF_ORDER = 0.02  # of B/2: starts nearer than this to an axis lie on it
+REWARD_OF_MARK = 1500.0  # for the tracklet under a user's mark
+
+
+@dataclass(frozen=True, eq=False)
+class Ends:
+    """Position, slope at one end of each tracklet."""
+
+    column: Array
+    row: Array
+    slope: Array
+
+    @classmethod
+    def of(cls, tracklets: list[Tracklet], last: bool) -> Ends:
+        """The last or the first ends, fitted by a parabola over up to 22 px."""
+        fits = [_end_fit(t.column, t.row, last) for t in tracklets]
+        column = np.array([float(t.column[-1 if last else 0]) for t in tracklets])
+        return cls(column, np.array([f[0] for f in fits]), np.array([f[1] for f in fits]))
+
+
+def _end_fit(column: Indices, row: Array, last: bool) -> tuple[float, float]:
+    size = min(len(column), 22)
+    part = slice(-size, None) if last else slice(None, size)
+    x = (column[part] - column[-1 if last else 0]).astype(np.float64)
+    fit = np.polyfit(x, row[part], 1 if size < 14 else 2)
+    return float(fit[-1]), float(np.clip(fit[-2], -1.15, 1.15))
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """One curve: its tracklets from keel to deck, and what its ends cost (px of ink)."""
+
+    tracklets: tuple[int, ...]
+    end_cost: float
+
+
+def find_paths(
+    tracklets: list[Tracklet],
+    ink: Ink,
+    mask: Mask,
+    frame: DiagonalFrame,
+    width_px: float,
+    top_px: Array,
+    most: int,
+    marks: tuple[tuple[float, float], ...] = (),
+) -> list[Path]:
+    """The curves of one half, at most `most`, each worth more than it costs.
+
+    Args:
+        tracklets: of the half.
+        ink, mask: (rows, columns) of the frame.
+        frame: of the half.
+        width_px: thickness of one line.
+        top_px: (len(tracklets),) height of the deck edge over the last end of each, px of the drawing.
+        most: number of stations that the half may show.
+        marks: (column, row) of points that a user put on curves.
+    """
+    if not tracklets:
+        return []
+    scale = frame.half_breadth_px / REFERENCE_PX
+    first, last = Ends.of(tracklets, last=False), Ends.of(tracklets, last=True)
+    source, target, link_cost = _links(tracklets, first, last, mask, frame, scale)
+    entry = _entry_cost(first, frame, scale) + COST_OF_CURVE * scale
+    leave = _exit_cost(last, ink, frame, top_px, scale)
+    length = np.array([len(t.column) for t in tracklets], dtype=np.float64)
+    strength = np.array([float(t.strength.mean()) for t in tracklets])
+    reward = -length * np.minimum(1.0, strength / 0.5)
+    width = np.array([float(np.median(t.width)) for t in tracklets])
+    spare = np.clip(1.0 - 2.0 * np.clip(width / width_px - 1.0, 0.0, 4.0), 0.0, 1.0)
+    share = length * (0.02 + 0.4 * spare) + 0.5
+    for index in _marked(tracklets, marks):
+        reward[index] -= REWARD_OF_MARK * scale
+    flows = _solve(reward, share, source, target, link_cost, entry, leave, most)
+    if flows is None:
+        return []
+    links, entries, exits = flows
+    walks = _decompose(tracklets, first, last, frame, source, target, links, entries, exits)
+    return [
+        Path(tuple(walk), float(entry[walk[0]] - COST_OF_CURVE * scale + leave[walk[-1]]) / scale) for walk in walks
+    ]
+
+
+def _marked(tracklets: list[Tracklet], marks: tuple[tuple[float, float], ...]) -> list[int]:
+    """The tracklet under each mark, within 9 px."""
+    found = []
+    for column, row in marks:
+        misses = [
+            abs(float(np.interp(column, t.column, t.row)) - row)
+            if t.column[0] - 4 <= column <= t.column[-1] + 4
+            else np.inf
+            for t in tracklets
+        ]
+        if misses and min(misses) < 9:
+            found.append(int(np.argmin(misses)))
+    return found
+
+
+def _links(
+    tracklets: list[Tracklet], first: Ends, last: Ends, mask: Mask, frame: DiagonalFrame, scale: float
+) -> tuple[Indices, Indices, Array]:
+    """Which tracklet may follow which, and the cost: mismatch in the middle of the gap, bend, gap length."""
+    size = frame.half_breadth_px
+    gap = first.column[None, :] - last.column[:, None]
+    possible = (gap > -4) & (gap <= LONGEST_GAP * size) & (last.column[None, :] > last.column[:, None])
+    np.fill_diagonal(possible, False)
+    source, target = np.nonzero(possible)
+    if source.size == 0:
+        return source.astype(np.int64), target.astype(np.int64), np.zeros(0)
+    distance = gap[source, target]
+    span = np.maximum(distance, 1.0)
+    from_row, from_slope = last.row[source], last.slope[source]
+    to_row, to_slope = first.row[target], first.slope[target]
+    miss = np.abs((from_row + from_slope * distance / 2) - (to_row - to_slope * distance / 2))
+    bend = np.abs(from_slope - to_slope)
+    direct = (to_row - from_row) / span
+    detour = np.where(span > 6, np.maximum(np.abs(direct - from_slope), np.abs(direct - to_slope)), bend)
+    length = np.array([len(t.column) for t in tracklets], dtype=np.float64)
+    certain = np.minimum(1.0, np.minimum(length[source], length[target]) / 12.0)
+    steps = np.linspace(0.0, 1.0, 9)
+    columns = np.clip(np.round(last.column[source][:, None] + span[:, None] * steps), 0, mask.shape[1] - 1)
+    rows = np.clip(np.round(from_row[:, None] + (to_row - from_row)[:, None] * steps), 0, mask.shape[0] - 1)
+    hidden = np.where(span > 3, (mask[rows.astype(np.int64), columns.astype(np.int64)] > 0).mean(axis=1), 1.0)
+    cost = 2.2 * miss / (1 + 0.03 * span) + certain * (28 * bend + 22 * detour) + span * (0.8 - 0.55 * hidden)
+    # a knuckle: the two extrapolations meet inside the gap
+    turn = to_slope - from_slope
+    with np.errstate(divide="ignore", invalid="ignore"):
+        meet = (to_row - to_slope * distance - from_row) / -turn
+    knuckle = (turn > 0.35) & (span <= 0.03 * size) & (meet >= -4) & (meet <= span + 4)
+    cost = np.where(knuckle, np.minimum(cost, COST_OF_KNUCKLE * scale + span), cost)
+    steep = np.abs(to_row - from_row) > 1.25 * span + 4
+    broken = (certain >= 1.0) & (bend > 0.9) & ~((span <= 0.03 * size) & (turn > 0))
+    good = (cost < DEAREST_LINK) & ~steep & ~broken
+    return source[good].astype(np.int64), target[good].astype(np.int64), cost[good]
+
+
+def _entry_cost(first: Ends, frame: DiagonalFrame, scale: float) -> Array:
+    """Little at the centre line and the base line, then by the distance from them."""
+    y, z = frame.to_drawing(first.column, first.row)
+    away = np.minimum(np.abs(y), np.abs(z))
+    reach = REACH_OF_KEEL_PX * scale
+    return np.where(away < reach, 0.3 * away, np.minimum(3 + 4 * (away - reach), DEAREST_ENTRY * scale))
+
+
+def _exit_cost(last: Ends, ink: Ink, frame: DiagonalFrame, top_px: Array, scale: float) -> Array:
+    """Nothing at the deck, little in the line of B/2, else by the distance to the deck and the ink ahead."""
+    size = frame.half_breadth_px
+    y, z = frame.to_drawing(last.column, last.row)
+    below = np.maximum(0.0, top_px - z - 0.03 * size)
+    cost = np.minimum(1.5 * below, DEAREST_EXIT * scale)
+    near = cv2.dilate(ink, np.ones((3, 3), np.uint8))
+    ahead = np.linspace(5, 0.055 * size, 26)
+    columns = np.clip(np.round(last.column[:, None] + ahead), 0, ink.shape[1] - 1).astype(np.int64)
+    rows = np.clip(np.round(last.row[:, None] + last.slope[:, None] * ahead), 0, ink.shape[0] - 1).astype(np.int64)
+    going_on = (near[rows, columns] > 0.3).mean(axis=1)
+    on_ink = COST_OF_END_ON_PAPER + COST_OF_END_ON_INK * np.clip(going_on - 0.2, 0.0, 1.0)
+    cost = np.minimum(cost, on_ink * scale)
+    at_side = (y > 0.965 * size) & (last.slope < -0.75)
+    return np.asarray(np.where(at_side, np.minimum(cost, COST_AT_SIDE * scale), cost), dtype=np.float64)
+
+
+def _solve(
+    reward: Array, share: Array, source: Indices, target: Indices, link: Array, entry: Array, leave: Array, most: int
+) -> tuple[Indices, Indices, Indices] | None:
+    """The cheapest flow of at most `most` units: flows on links, into and out of tracklets."""
+    n, m = len(reward), len(link)
+    cost = np.concatenate([reward, share, link, entry, leave])
+    upper = np.concatenate([np.ones(n), np.full(n, most - 1.0), np.full(m + 2 * n, float(most))])
+    node, arc = np.arange(n), np.arange(m)
+    # what comes in (links, entries) passes the tracklet (first use, shared use) and goes out (links, exits)
+    rows = np.concatenate([target, node, node, node, n + source, n + node, n + node, n + node])
+    first, second, links, entries, exits = 0, n, 2 * n, 2 * n + m, 3 * n + m
+    columns = np.concatenate(
+        [
+            links + arc,
+            entries + node,
+            first + node,
+            second + node,
+            links + arc,
+            exits + node,
+            first + node,
+            second + node,
+        ]
+    )
+    signs = np.concatenate([np.ones(m + n), -np.ones(2 * n), np.ones(m + n), -np.ones(2 * n)])
+    balance = coo_matrix((signs, (rows, columns)), shape=(2 * n, len(cost))).tocsr()
+    units = coo_matrix((np.ones(n), (np.zeros(n, dtype=np.int64), entries + node)), shape=(1, len(cost))).tocsr()
+    result = linprog(  # type: ignore[call-overload]  # the stubs know no sparse matrices
+        cost,
+        A_ub=units,
+        b_ub=[most],
+        A_eq=balance,
+        b_eq=np.zeros(2 * n),
+        bounds=[(0.0, float(most_here)) for most_here in upper],
+        method="highs",
+    )
+    if result.x is None:
+        return None
+    x = np.round(result.x).astype(np.int64)
+    return x[links:entries], x[entries:exits], x[exits:]
+
+
+def _decompose(
+    tracklets: list[Tracklet],
+    first: Ends,
+    last: Ends,
+    frame: DiagonalFrame,
+    source: Indices,
+    target: Indices,
+    links: Indices,
+    entries: Indices,
+    exits: Indices,
+) -> list[list[int]]:
+    """Single curves out of the flow; where several share a tracklet they keep their order from the centre outwards."""
+    n = len(tracklets)
+    outgoing: list[list[int]] = [[] for _ in range(n)]
+    for index in np.flatnonzero(links > 0).tolist():
+        outgoing[source[index]] += [int(target[index])] * int(links[index])
+    y, z = frame.to_drawing(first.column, first.row)
+    edge = MARGIN_OF_ORDER * frame.half_breadth_px
+    paths: list[list[int]] = []
+    arriving: list[list[tuple[float, int]]] = [[] for _ in range(n)]
+    for node in np.lexsort((last.column, first.column)).tolist():
+        here = arriving[node]
+        for _ in range(int(entries[node])):
+            # a curve that starts on the centre line lies inside, one from the base line outside
+            rank = -np.inf if y[node] < edge <= z[node] else np.inf if z[node] < edge else 0.0
+            here.append((float(rank), len(paths)))
+            paths.append([])
+        here.sort()
+        for _, path in here:
+            paths[path].append(node)
+        # the inner ones end first, at the deck
+        going = [path for _, path in here][int(exits[node]) :]
+        ordered = sorted(outgoing[node], key=lambda other: float(first.row[other] + 6 * first.slope[other]))
+        for position, (path, other) in enumerate(zip(going, ordered, strict=False)):
+            arriving[other].append((float(last.row[node]) + 1e-3 * position, path))
+    return [path for path in paths if path]

@@ -1,0 +1,113 @@
+"""One half of the body plan: from its ink to finished curves, the innermost first."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from hullform.body_plan import Half
+from hullform.picture.finishing import finish
+from hullform.picture.flow import find_paths
+from hullform.picture.frame import DiagonalFrame
+from hullform.picture.ink import Ink
+from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
+from hullform.picture.ridges import find_peaks, find_tracklets, line_width, usable
+from hullform.picture.sheer import SheerLine, find_sheer
+from hullform.picture.smoothing import Trace, smooth_traces
+
+Array = NDArray[np.float64]
+
+SHEER_FLANK_PX = 3.5  # flat ridges so near the sheer line are the sheer line
+FLAT_SLOPE = 0.6  # db/da of a ridge within 14 degrees of level
+DECK_ZONE = 0.84  # of the depth: without a sheer line found, level ridges above it are taken for the deck
+LEVEL_SLOPE = 0.8
+HIDDEN_BY_GRID = 0.7  # share of a curve that can be seen through a close grid: more missing counts against it
+
+
+@dataclass(frozen=True, eq=False)
+class HalfReading:
+    """The curves of one half, from the centre line outwards.
+
+    Attributes:
+        curves: (n, 2) [y, z] of each, px of the drawing, keel to deck.
+        confidences: 0..1 of each.
+        sheer: the deck edge, or None where none was found.
+    """
+
+    half: Half
+    frame: DiagonalFrame
+    curves: tuple[Array, ...]
+    confidences: tuple[float, ...]
+    sheer: SheerLine | None
+    line_width_px: float
+
+
+def read_half(
+    half: Half,
+    frame: DiagonalFrame,
+    ink: Ink,
+    mask: Mask,
+    depth_px: float,
+    deck_line: bool,
+    most: int,
+    marks: tuple[tuple[float, float], ...] = (),
+) -> HalfReading:
+    """Trace the curves of one half.
+
+    Args:
+        half: which.
+        frame: its diagonal frame.
+        ink: the picture's, its long lines taken off; mask: where they lay.
+        depth_px: depth at side.
+        deck_line: whether a level line is drawn at the depth.
+        most: number of stations of the half.
+        marks: (y, z) in px of the drawing of the user's marks.
+    """
+    here = frame.sample(ink)
+    hidden = frame.sample_mask(mask)
+    width = line_width(here)
+    hidden = _widened(hidden, width)
+    sheer = find_sheer(ink, frame, depth_px)
+    peaks = find_peaks(here, width)
+    peaks = peaks.chosen(usable(peaks, hidden, frame))
+    y, z = frame.to_drawing(peaks.column.astype(np.float64), peaks.row)
+    if sheer is not None:
+        deck = sheer.at(y)
+        on_deck = (np.abs(z - deck) < SHEER_FLANK_PX) & (peaks.slope > FLAT_SLOPE)
+        above = z > deck + SHEER_FLANK_PX
+    else:
+        on_deck = (z > DECK_ZONE * depth_px) & (peaks.slope > LEVEL_SLOPE)
+        above = z > (1.01 if deck_line else 1.6) * depth_px
+    peaks = peaks.chosen(~(on_deck | above))
+    tracklets = find_tracklets(peaks)
+    if not tracklets:
+        return HalfReading(half, frame, (), (), sheer, width)
+    thickness = np.concatenate([t.width for t in tracklets])
+    single = float(np.percentile(thickness, 35))
+    ends = np.array([(t.column[-1], t.row[-1]) for t in tracklets], dtype=np.float64)
+    end_y, _ = frame.to_drawing(ends[:, 0], ends[:, 1])
+    top = sheer.at(end_y) if sheer is not None else np.full(len(tracklets), depth_px)
+    seeds = tuple((float(c), float(r)) for c, r in (frame.from_drawing(y, z) for y, z in marks))
+    paths = find_paths(tracklets, here, hidden, frame, single, top, most, seeds)
+    traces = smooth_traces(paths, tracklets, single, frame)
+    level = depth_px if deck_line else None
+    curves = tuple(np.column_stack(finish(trace, frame, here, sheer, level)) for trace in traces)
+    return HalfReading(half, frame, curves, tuple(_confidence(trace) for trace in traces), sheer, width)
+
+
+def _widened(mask: Mask, width_px: float) -> Mask:
+    """The mask, each family wider by half a line: a curve that touches a line is lost in it."""
+    kernel = np.ones((2 * round(width_px / 2) + 3,) * 2, np.uint8)
+    vertical = np.asarray(cv2.dilate(mask & VERTICAL, kernel), dtype=np.uint8)
+    horizontal = np.asarray(cv2.dilate(mask & HORIZONTAL, kernel), dtype=np.uint8)
+    return vertical | horizontal
+
+
+def _confidence(trace: Trace) -> float:
+    """Share of the curve that was seen, less for what it shared, less for ends that hang in the air."""
+    alone = 0.5 + 0.5 * min(1.0, trace.own / 0.5)
+    seen = min(1.0, trace.visible / HIDDEN_BY_GRID)
+    return float(np.clip(seen * alone * np.exp(-max(trace.end_cost, 0.0) / 200.0), 0.0, 1.0))

@@ -1,0 +1,240 @@
+"""Long straight lines: the centre line, the base line, waterlines, buttocks, box lines.
+
+A drawing turned in its picture turns both families alike, so one skew angle is found from the projections of all
+ink, and each line is then refined by itself to a few hundredths of a pixel.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from hullform.picture.ink import Ink
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.uint8]
+
+LARGEST_SKEW_DEG = 3.0
+SEARCH_WIDTH_PX = 1000  # the search runs on a picture of about this width
+LEAST_LENGTH = 0.3  # of the picture's side: a shorter run is no candidate
+LEAST_FAMILY_LENGTH = 0.72  # of the longest lines of the family: shorter ones are pieces of curves
+LARGEST_SLOPE_SPREAD = 0.0022  # between the lines of a family (0.13 deg): curves that look straight differ more
+VERTICAL, HORIZONTAL = 1, 2  # bits of the mask
+
+
+@dataclass(frozen=True, eq=False)
+class StraightLine:
+    """A line n = offset + slope * t; t runs along the family (u for horizontal lines, v for vertical ones).
+
+    Attributes:
+        start, end: range of t, px.
+        width: px between the points where the ink falls to 40 %.
+        profile: median ink across the line at `profile_at` px from its axis.
+    """
+
+    vertical: bool
+    offset: float
+    slope: float
+    start: float
+    end: float
+    width: float
+    profile_at: Array
+    profile: Array
+
+    def at(self, t: float | Array) -> Array:
+        """The position across, px."""
+        return np.asarray(self.offset + self.slope * np.asarray(t, dtype=np.float64))
+
+    @property
+    def length(self) -> float:
+        """px."""
+        return self.end - self.start
+
+    @property
+    def weight(self) -> float:
+        """Ink across the line, px: how boldly it was drawn."""
+        return float(np.trapezoid(self.profile, self.profile_at))
+
+
+def crossing(vertical: StraightLine, horizontal: StraightLine) -> tuple[float, float]:
+    """The pixel (u, v) where a vertical and a horizontal line meet."""
+    u = (vertical.offset + vertical.slope * horizontal.offset) / (1 - vertical.slope * horizontal.slope)
+    return u, horizontal.offset + horizontal.slope * u
+
+
+def find_lines(ink: Ink) -> tuple[list[StraightLine], list[StraightLine]]:
+    """The horizontal lines from top to bottom, and the vertical lines from left to right."""
+    height, width = ink.shape
+    shrink = max(1.0, width / SEARCH_WIDTH_PX)
+    small = cv2.resize(
+        cv2.dilate((ink > 0.11).astype(np.float32), np.ones((2, 2), np.uint8)),
+        (round(width / shrink), round(height / shrink)),
+        interpolation=cv2.INTER_AREA,
+    )
+    v, u = np.nonzero(small > 0.3)
+    skew = _skew(u.astype(np.float64), v.astype(np.float64))
+    families = []
+    for vertical in (False, True):
+        along, across = (v, u) if vertical else (u, v)
+        slope = -skew if vertical else skew
+        found = _candidates(
+            along.astype(np.float64), across.astype(np.float64), slope, small.shape[0 if vertical else 1]
+        )
+        refined = [
+            _refine(ink, offset * shrink + (shrink - 1) / 2 * (1 - slope), slope, vertical, max(3.0, 2.0 * shrink))
+            for offset in found
+        ]
+        families.append(_family([line for line in refined if line is not None], slope, 4 * shrink))
+    return families[0], families[1]
+
+
+def _projection(along: Array, across: Array, slope: float) -> NDArray[np.int64]:
+    n = np.round(across - slope * along).astype(np.int64)
+    return np.bincount(n - n.min())
+
+
+def _skew(u: Array, v: Array) -> float:
+    """The slope dv/du of the horizontal family at which the projections of all ink are sharpest."""
+    if u.size == 0:
+        return 0.0
+    thin = max(1, u.size // 150_000)
+    u, v = u[::thin], v[::thin]
+
+    def sharpness(slope: float) -> float:
+        # cubes favour few full bins: long lines, not the body of the curves
+        return sum(
+            float(np.sum(np.sort(_projection(a, n, s))[-60:].astype(np.float64) ** 3))
+            for a, n, s in ((u, v, slope), (v, u, -slope))
+        )
+
+    slopes = np.tan(np.deg2rad(np.arange(-LARGEST_SKEW_DEG, LARGEST_SKEW_DEG + 0.05, 0.1)))
+    best = slopes[int(np.argmax([sharpness(s) for s in slopes]))]
+    near = best + np.tan(np.deg2rad(np.arange(-0.1, 0.101, 0.02)))
+    return float(near[int(np.argmax([sharpness(s) for s in near]))])
+
+
+def _candidates(along: Array, across: Array, slope: float, side: int) -> list[float]:
+    """Offsets whose projection holds a long line's worth of ink, each the peak of its neighbourhood."""
+    n = np.round(across - slope * along).astype(np.int64)
+    shift = int(n.min()) - 2 if n.size else 0
+    counts = np.bincount(n - shift, minlength=3).astype(np.float64)
+    counts = np.r_[counts, 0.0, 0.0]
+    near = np.max([np.roll(counts, k) for k in (-2, -1, 1, 2)], axis=0)
+    peaks = np.flatnonzero((counts >= near) & (counts >= 0.8 * LEAST_LENGTH * side))
+    strongest = peaks[np.argsort(-counts[peaks])][:80]
+    return [float(k + shift) for k in sorted(strongest)]
+
+
+def _across(ink: Ink, centre: Array, t: Array, reach: Array, vertical: bool) -> Array:
+    """Ink on cross-sections (len(t), len(reach)) of a line."""
+    n = (centre[:, None] + reach).astype(np.float32)
+    tt = np.repeat(t[:, None], len(reach), 1).astype(np.float32)
+    u, v = (n, tt) if vertical else (tt, n)
+    return np.asarray(cv2.remap(ink, u, v, cv2.INTER_LINEAR), dtype=np.float64)
+
+
+def _refine(ink: Ink, offset: float, slope: float, vertical: bool, window: float) -> StraightLine | None:
+    """Fit a line through the ink centroids of its cross-sections (robust, Tukey weights) and find its run."""
+    side = ink.shape[0 if vertical else 1]
+    t = np.linspace(0, side - 1, 600)
+    for reach_px in (window, max(2.5, window / 2)):
+        reach = np.arange(-np.ceil(reach_px), np.ceil(reach_px) + 0.01, 0.5)
+        section = _across(ink, offset + slope * t, t, reach, vertical)
+        seen = section.max(axis=1) > 0.12
+        if seen.sum() < LEAST_LENGTH * 0.8 * t.size:
+            return None
+        power = section**2
+        centre = offset + slope * t + (power @ reach) / np.maximum(power.sum(axis=1), 1e-9)
+        weights = seen.astype(np.float64)
+        design = np.column_stack([np.ones_like(t), t])
+        for _ in range(12):
+            root = np.sqrt(weights)
+            fit = np.linalg.lstsq(design * root[:, None], centre * root, rcond=None)[0]
+            residual = centre - design @ fit
+            scale = 1.4826 * float(np.median(np.abs(residual[seen]))) + 0.05
+            weights = seen * np.clip(1 - (residual / (4 * scale)) ** 2, 0, 1) ** 2
+        offset, slope = float(fit[0]), float(fit[1])
+    reach = np.arange(-9, 9.01, 0.5)
+    section = _across(ink, offset + slope * t, t, reach, vertical)
+    middle = len(reach) // 2
+    present = section[:, middle - 1 : middle + 2].max(axis=1) > 0.10
+    run = _longest_run(present, largest_gap=round(0.03 * t.size))
+    if run is None or present[run[0] : run[1]].mean() < 0.5:
+        return None
+    on_line = np.zeros_like(present)
+    on_line[run[0] : run[1]] = True
+    profile = _unimodal(np.median(section[present & on_line], axis=0), middle)
+    width = 0.5 * float(np.sum(profile > 0.4 * profile.max()))
+    return StraightLine(vertical, offset, slope, float(t[run[0]]), float(t[run[1] - 1]), width, reach, profile)
+
+
+def _longest_run(present: NDArray[np.bool_], largest_gap: int) -> tuple[int, int] | None:
+    """[first, last + 1) of the longest run, its ends trimmed where less than half is drawn (labels)."""
+    where = np.flatnonzero(present)
+    if where.size < LEAST_LENGTH * 0.8 * present.size:
+        return None
+    runs = np.split(where, np.flatnonzero(np.diff(where) > largest_gap) + 1)
+    run = max(runs, key=lambda r: int(r[-1] - r[0]))
+    first, last = int(run[0]), int(run[-1]) + 1
+    probe, step = 16, 4
+    while last - first > 60 and present[first : first + probe].mean() < 0.6:
+        first += step
+    while last - first > 60 and present[last - probe : last].mean() < 0.6:
+        last -= step
+    return first, last
+
+
+def _unimodal(profile: Array, middle: int) -> Array:
+    """Cut what lies beyond the first blank on either side of the line: it belongs to a neighbour."""
+    out = np.where(profile < 0.06, 0.0, profile)
+    blank = np.flatnonzero(out == 0)
+    left, right = blank[blank < middle], blank[blank > middle]
+    if left.size:
+        out[: left[-1]] = 0
+    if right.size:
+        out[right[0] :] = 0
+    return out
+
+
+def _family(lines: list[StraightLine], slope: float, nearest: float) -> list[StraightLine]:
+    """Keep the parallel, long lines, one for each place, sorted across."""
+    parallel = [line for line in lines if abs(line.slope - slope) < LARGEST_SLOPE_SPREAD]
+    if not parallel:
+        return []
+    lengths = np.sort([line.length for line in parallel])
+    longest = float(np.median(lengths[-3:]))
+    kept: list[StraightLine] = []
+    long = [line for line in parallel if line.length >= LEAST_FAMILY_LENGTH * longest]
+    for line in sorted(long, key=lambda x: float(x.at((x.start + x.end) / 2))):
+        t = (line.start + line.end) / 2
+        if kept and abs(float(line.at(t)) - float(kept[-1].at(t))) < nearest:
+            if line.weight * line.length > kept[-1].weight * kept[-1].length:
+                kept[-1] = line
+            continue
+        kept.append(line)
+    return kept
+
+
+def subtract_lines(ink: Ink, lines: list[StraightLine]) -> tuple[Ink, Mask]:
+    """The ink without the lines, and a mask of where they lie (bit 1 vertical, bit 2 horizontal).
+
+    Each line's own profile, a little enlarged, is taken off, so that a curve that crosses a grey line stays.
+    """
+    out = ink.copy()
+    mask = np.zeros(ink.shape, np.uint8)
+    for line in lines:
+        t = np.arange(max(0, int(line.start) - 4), min(ink.shape[0 if line.vertical else 1], int(line.end) + 5))
+        centre = line.at(t)
+        reach = np.arange(-9, 10)
+        n = np.round(centre)[:, None].astype(np.int64) + reach
+        offset = n - centre[:, None]
+        inside = (n >= 0) & (n < ink.shape[1 if line.vertical else 0])
+        tt = np.broadcast_to(t[:, None], n.shape)
+        rows, columns = (tt[inside], n[inside]) if line.vertical else (n[inside], tt[inside])
+        out[rows, columns] -= (1.12 * np.interp(offset[inside], line.profile_at, line.profile)).astype(np.float32)
+        covered = np.abs(offset[inside]) <= line.width / 2 + 1.2
+        mask[rows[covered], columns[covered]] |= VERTICAL if line.vertical else HORIZONTAL
+    return np.clip(out, 0, 1), mask

@@ -1,0 +1,143 @@
+"""What was read, drawn over the faded picture: to be confirmed by eye before any figure is believed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from hullform.body_plan import Half, Station
+from hullform.errors import OutputError
+from hullform.picture.reading import PictureReading
+
+Array = NDArray[np.float64]
+Image = NDArray[np.uint8]
+Colour = tuple[int, int, int]
+
+FADED = 0.3  # of the picture's ink that stays
+# BGR; neighbours differ in hue and in lightness
+STATION_COLOURS: tuple[Colour, ...] = (
+    (40, 39, 214),
+    (180, 119, 31),
+    (44, 130, 20),
+    (0, 110, 230),
+    (189, 70, 148),
+    (75, 86, 140),
+    (150, 140, 0),
+    (160, 30, 90),
+)
+GRID_COLOUR: Colour = (225, 205, 150)
+LINE_COLOUR: Colour = (150, 90, 0)
+FONT = cv2.FONT_HERSHEY_SIMPLEX
+
+
+def draw_overlay(reading: PictureReading) -> Image:
+    """The picture, faded, with the predicted grid and lines, their values, and every traced curve with its name.
+
+    Returns:
+        (rows, columns, 3) BGR.
+    """
+    faded = 255 - FADED * (255 - reading.grey.astype(np.float32))
+    image = np.ascontiguousarray(np.repeat(faded.astype(np.uint8)[..., None], 3, axis=2))
+    _draw_lines(image, reading)
+    stroke = max(1, round(image.shape[1] / 1000))
+    halves: tuple[Half, Half] = ("aft", "fore")
+    for half in halves:
+        stations = [station for station in reading.body_plan.stations if station.half == half]
+        drawn = _drawn_once(stations if half == "aft" else stations[::-1])
+        # names step down along their curves, or the crowded ones at the ship's side would cover each other
+        for position, (station, names) in enumerate(drawn):
+            colour = STATION_COLOURS[position % len(STATION_COLOURS)]
+            for curve in station.curves:
+                points = _pixels(reading, reading.side_of(half) * curve.half_breadth_m, curve.height_m)
+                cv2.polylines(image, [_fixed(points)], False, colour, stroke, cv2.LINE_AA, SHIFT)
+                share = 0.97 - 0.06 * (position % 8)
+                at = points[min(len(points) - 1, round(share * len(points)))]
+                _write(image, names, (float(at[0]) + 4, float(at[1]) + 4), colour)
+    return image
+
+
+def write_overlay(reading: PictureReading, path: Path) -> None:
+    """Draw the overlay into an image file of the type that its name says.
+
+    Raises:
+        OutputError: unknown type, or the file cannot be written.
+    """
+    try:
+        done, data = cv2.imencode(path.suffix or ".png", draw_overlay(reading))
+    except cv2.error:
+        done = False
+    if not done:
+        raise OutputError(f"{path}: '{path.suffix}' is no image type; use .png or .jpg")
+    try:
+        path.write_bytes(data.tobytes())
+    except OSError as error:
+        raise OutputError(f"{path}: cannot be written ({error.strerror}); choose another place") from None
+
+
+SHIFT = 4  # fractional bits of the coordinates that polylines takes
+
+
+def _fixed(points: Array) -> NDArray[np.int32]:
+    return np.round(points * (1 << SHIFT)).astype(np.int32)
+
+
+def _pixels(reading: PictureReading, y_m: Array, z_m: Array) -> Array:
+    """(n, 2) pixels of points in metres, y negative in the left half."""
+    y, z = np.broadcast_arrays(np.asarray(y_m, dtype=np.float64), np.asarray(z_m, dtype=np.float64))
+    mapped = np.column_stack([y, z, np.ones(y.size)]) @ np.array(reading.calibration.pixel_from_metres).T
+    return np.asarray(mapped[:, :2] / mapped[:, 2:])
+
+
+def _drawn_once(stations: list[Station]) -> list[tuple[Station, str]]:
+    """Each drawn curve with the names of all stations that share it."""
+    out: list[tuple[Station, str]] = []
+    seen: set[float] = set()
+    for station in stations:
+        if station.x_m in seen:
+            continue
+        seen |= {station.x_m, *station.shared_with_m}
+        everyone = sorted((station.x_m, *station.shared_with_m))
+        out.append((station, station.name if len(everyone) == 1 else f"{everyone[0]:g}-{everyone[-1]:g}"))
+    return out
+
+
+def _draw_lines(image: Image, reading: PictureReading) -> None:
+    """The predicted grid, the sheer line, and the lines that carry the scale, with their values."""
+    half_breadth, depth, draught = reading.breadth_m / 2, reading.depth_m, reading.draught_m
+    reach = 1.03 * half_breadth
+
+    def line(points: tuple[tuple[float, float], tuple[float, float]], colour: Colour) -> Array:
+        ends = _pixels(reading, np.array([p[0] for p in points]), np.array([p[1] for p in points]))
+        cv2.polylines(image, [_fixed(ends)], False, colour, 1, cv2.LINE_AA, SHIFT)
+        return ends
+
+    if reading.grid_m is not None:
+        across, up = reading.grid_m
+        for n in range(1, int(half_breadth / across) + 1):
+            for side in (-1, 1):
+                line(((side * n * across, 0.0), (side * n * across, depth)), GRID_COLOUR)
+        for n in range(1, int(depth / up) + 1):
+            line(((-half_breadth, n * up), (half_breadth, n * up)), GRID_COLOUR)
+    for half, points in reading.sheer_m.items():
+        sheer = _pixels(reading, reading.side_of(half) * points[:, 0], points[:, 1])
+        cv2.polylines(image, [_fixed(sheer)], False, LINE_COLOUR, 1, cv2.LINE_AA, SHIFT)
+    for z, words in ((0.0, "BL 0"), (draught, f"T {draught:g}"), (depth, f"D {depth:g}")):
+        ends = line(((-reach, z), (reach, z)), LINE_COLOUR)
+        _write(image, words, (float(ends[0, 0]) + 2, float(ends[0, 1]) - 3), LINE_COLOUR)
+    for y, words in ((-half_breadth, f"B/2 {half_breadth:g}"), (0.0, "CL"), (half_breadth, f"B/2 {half_breadth:g}")):
+        ends = line(((y, -0.03 * depth), (y, depth)), LINE_COLOUR)
+        _write(image, words, (float(ends[0, 0]) + 3, float(ends[0, 1])), LINE_COLOUR)
+
+
+def _write(image: Image, words: str, at: tuple[float, float], colour: Colour) -> None:
+    """Text on a light halo, so that it can be read over lines; kept inside the picture."""
+    size = image.shape[1] / 3600
+    weight = max(1, round(1.6 * size))
+    (width, height), _ = cv2.getTextSize(words, FONT, size, weight)
+    u = int(np.clip(at[0], 0, max(0, image.shape[1] - width)))
+    v = int(np.clip(at[1], height, image.shape[0] - 2))
+    cv2.putText(image, words, (u, v), FONT, size, (255, 255, 255), weight + 3, cv2.LINE_AA)
+    cv2.putText(image, words, (u, v), FONT, size, colour, weight, cv2.LINE_AA)

@@ -1,0 +1,210 @@
+"""The door: a ship's picture in, her body plan out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hullform.body_plan import BodyPlan, Calibration, Half, Station, TracedCurve
+from hullform.errors import PictureError
+from hullform.picture.calibration import CalibratedSheet, calibrate
+from hullform.picture.frame import DiagonalFrame
+from hullform.picture.half import HalfReading, read_half
+from hullform.picture.ink import Picture, ink_of, load_grey
+from hullform.picture.lines import find_lines, subtract_lines
+from hullform.picture.naming import assign_stations, mark_distances
+from hullform.ship import Ship
+
+Array = NDArray[np.float64]
+
+HIGHEST = 1.6  # of the depth: how high the drawing is searched above the base line
+FEWEST_CURVES = 3
+LEAST_SHARE_OF_NAMES = 0.6
+LOW_CONFIDENCE = 0.5
+SMALLEST_HALF_PX = 300.0  # B/2 in px below which neighbouring stations merge
+DEPTH_DISAGREEMENT = 0.01  # between the deck at side amidships and D
+POINT_SPACING_PX = 2.0  # along a traced curve
+
+
+@dataclass(frozen=True, eq=False)
+class PictureReading:
+    """What was read from a picture, and what the overlay shows it with.
+
+    Attributes:
+        body_plan: the stations, the calibration, notes and doubts.
+        grey: (rows, columns) the picture.
+        path: of the picture.
+        breadth_m, depth_m, draught_m: of the ship, for the lines that the overlay draws.
+        left_half: which half the picture shows left.
+        grid_m: spacing of buttocks and waterlines in metres, where a regular grid was found.
+        sheer_m: (n, 2) [y, z] of the sheer line of each half where it was found, metres.
+    """
+
+    body_plan: BodyPlan
+    grey: Picture
+    path: Path
+    breadth_m: float
+    depth_m: float
+    draught_m: float
+    left_half: Half
+    grid_m: tuple[float, float] | None
+    sheer_m: dict[Half, Array]
+
+    @property
+    def calibration(self) -> Calibration:
+        """Of the picture."""
+        calibration = self.body_plan.calibration
+        if calibration is None:
+            raise PictureError(f"{self.path}: the body plan of a picture has a calibration")
+        return calibration
+
+    def side_of(self, half: Half) -> int:
+        """-1 where the half is drawn left, +1 where it is drawn right."""
+        return -1 if half == self.left_half else 1
+
+
+def read_picture(ship: Ship) -> PictureReading:
+    """Trace the stations of a body plan picture.
+
+    Args:
+        ship: [ship] and [body_plan] of a ship.toml with an image.
+
+    Raises:
+        PictureError: no readable picture, no calibration, too few curves.
+    """
+    path, source, main = ship.body_plan.image_path, ship.body_plan, ship.particulars
+    grey = load_grey(path)
+    ink = ink_of(grey, str(path))
+    horizontal, vertical = find_lines(ink)
+    sheet = calibrate(ink, horizontal, vertical, main.breadth_m, main.depth_m, source.calibration, str(path))
+    calibration = sheet.calibration
+    bare, mask = subtract_lines(ink, list(sheet.frame_lines))
+    depth_px = main.depth_m / calibration.metres_per_px
+    deck_line = any(
+        not line.vertical
+        and abs(calibration.baseline_px - float(line.at(calibration.centreline_px)) - depth_px) < 0.006 * depth_px
+        for line in sheet.frame_lines
+    )
+    top_m = min(HIGHEST * main.depth_m, (calibration.baseline_px - 2) * calibration.metres_per_px)
+    if top_m < 0.5 * main.depth_m:
+        raise PictureError(
+            f"{path}: at {calibration.metres_per_px:.4g} m per px the picture ends {top_m:.2f} m above the base line, "
+            f"but the depth is {main.depth_m:g} m; check breadth_m, depth_m and [body_plan.calibration]"
+        )
+    left: Half = "aft" if source.aft_side == "left" else "fore"
+    halves: list[HalfReading] = []
+    stations: list[Station] = []
+    notes, doubts = list(sheet.notes), list(sheet.doubts)
+    for half, names in (("aft", source.aft_stations_m), ("fore", source.fore_stations_m)):
+        half_name: Half = "aft" if half == "aft" else "fore"
+        frame = DiagonalFrame.of(calibration, -1 if half == left else 1, main.breadth_m, top_m)
+        # from the centre line outwards: the aft half from aft forward, the fore half from forward aft
+        inner_first = names if half == "aft" else names[::-1]
+        marks = [
+            (int(np.argmin([abs(x - mark.station_m) for x in inner_first])), *_to_drawing(mark.px, frame))
+            for mark in source.marks
+            if mark.half == half
+        ]
+        reading = read_half(
+            half_name, frame, bare, mask, depth_px, deck_line, len(names), tuple((y, z) for _, y, z in marks)
+        )
+        if len(reading.curves) < max(FEWEST_CURVES, LEAST_SHARE_OF_NAMES * len(names)) and len(reading.curves) < len(
+            names
+        ):
+            raise PictureError(
+                f"{path}: too few curves: {len(reading.curves)} found in the {half} half, which has {len(names)} "
+                f"stations ({half}_stations_m); "
+                "check aft_side, breadth_m and the calibration, or give a clearer picture"
+            )
+        assigned = assign_stations(len(names), len(reading.curves), mark_distances(reading.curves, marks, len(names)))
+        stations += _stations(reading, inner_first, assigned, notes, doubts)
+        doubts += _doubts_of_half(reading, main.depth_m)
+        halves.append(reading)
+    doubts += _doubts_of_size(path, sheet, halves)
+    body_plan = BodyPlan(tuple(stations), "picture", calibration, tuple(notes), tuple(doubts))
+    scale = calibration.metres_per_px
+    sheer_m = {
+        reading.half: np.column_stack([reading.sheer.y_px, reading.sheer.z_px]) * scale
+        for reading in halves
+        if reading.sheer is not None
+    }
+    return PictureReading(
+        body_plan, grey, path, main.breadth_m, main.depth_m, main.draught_m, left, sheet.grid_m, sheer_m
+    )
+
+
+def _to_drawing(px: tuple[float, float], frame: DiagonalFrame) -> tuple[float, float]:
+    """(y, z) in px of the drawing of a pixel of the picture."""
+    y, z, depth = np.linalg.solve(frame.pixel_from_metres, np.array([px[0], px[1], 1.0]))
+    return float(frame.side * y / depth / frame.metres_per_px), float(z / depth / frame.metres_per_px)
+
+
+def _stations(
+    reading: HalfReading, inner_first: tuple[float, ...], assigned: list[int], notes: list[str], doubts: list[str]
+) -> list[Station]:
+    """The stations of a half with their curves in metres; reports what was shared and what was not sure."""
+    scale = reading.frame.metres_per_px
+    curves = []
+    for points, confidence in zip(reading.curves, reading.confidences, strict=True):
+        even = _evenly(points) * scale
+        curves.append(TracedCurve(even[:, 0], even[:, 1], confidence))
+    stations = []
+    for x, number in zip(inner_first, assigned, strict=True):
+        others = tuple(sorted(o for o, n in zip(inner_first, assigned, strict=True) if n == number and o != x))
+        stations.append(Station(x, reading.half, (curves[number],), shared_with_m=others))
+        if curves[number].confidence < LOW_CONFIDENCE:
+            doubts.append(
+                f"station {x:g} m ({reading.half} half): traced with confidence {curves[number].confidence:.2f}; "
+                "look at it in the overlay"
+            )
+    for number in sorted(set(assigned)):
+        shared = sorted(x for x, n in zip(inner_first, assigned, strict=True) if n == number)
+        if len(shared) > 1:
+            words = ", ".join(f"{x:g}" for x in shared)
+            notes.append(f"{reading.half} half: stations {words} m share one drawn curve (parallel body)")
+            if number != len(curves) - 1:
+                doubts.append(
+                    f"stations {words} m of the {reading.half} half share a curve that is not the outermost; "
+                    "check their marks"
+                )
+    unnamed = len(curves) - len(set(assigned))
+    if unnamed:
+        doubts.append(f"{unnamed} curves of the {reading.half} half have no station; check {reading.half}_stations_m")
+    found = f"{len(set(assigned))} curves for {len(inner_first)} stations"
+    deck = "sheer line found" if reading.sheer is not None else "no sheer line beside the deck line"
+    notes.append(f"{reading.half} half: {found}; {deck}")
+    return stations
+
+
+def _evenly(points: Array) -> Array:
+    """The curve at even steps of arc length, its ends kept."""
+    arc = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    keep = np.concatenate([[True], np.diff(arc) > 1e-9])
+    at = np.linspace(0.0, arc[-1], max(3, round(arc[-1] / POINT_SPACING_PX) + 1))
+    return np.column_stack([np.interp(at, arc[keep], points[keep, k]) for k in (0, 1)])
+
+
+def _doubts_of_half(reading: HalfReading, depth_m: float) -> list[str]:
+    outermost = reading.curves[-1]
+    if outermost[-1, 0] < 0.97 * reading.frame.half_breadth_px:
+        return []
+    top_m = float(outermost[-1, 1]) * reading.frame.metres_per_px
+    if abs(top_m / depth_m - 1) <= DEPTH_DISAGREEMENT:
+        return []
+    return [
+        f"scale: the outermost curve of the {reading.half} half ends {top_m:.2f} m above the base line, "
+        f"but the depth is {depth_m:g} m; check depth_m, breadth_m and the calibration"
+    ]
+
+
+def _doubts_of_size(path: Path, sheet: CalibratedSheet, halves: list[HalfReading]) -> list[str]:
+    half_breadth_px = halves[0].frame.half_breadth_px
+    if half_breadth_px >= SMALLEST_HALF_PX:
+        return []
+    return [
+        f"{path.name}: a half-breadth has only {half_breadth_px:.0f} px; stations nearer than two lines' width merge; "
+        "scan it finer"
+    ]

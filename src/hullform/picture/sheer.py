@@ -1,0 +1,133 @@
+"""The sheer line: the deck edge at side, where every station ends.
+
+It is the topmost drawn curve that runs outward without rising much: a path over all half-breadths that gathers ink
+and keeps blank paper above it, found by dynamic programming with a cost of the height climbed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from hullform.picture.frame import DiagonalFrame
+from hullform.picture.ink import Ink
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+LOWEST = 0.9  # of the depth: a deck edge lies above it at every station
+COST_OF_PAPER = 0.35  # per px of path: what ink must exceed to be gathered
+COST_OF_CLIMBING = 0.3  # per px of height: a sheer of 45 degrees still pays, a station's side does not
+COST_OF_INK_ABOVE = 0.25  # per px of path, where a line lies above
+RIDGE = 0.12  # smoothed ink of a hair line in grey
+BLANK_ABOVE = 0.15  # of B/2: the height over which the paper above should be blank
+DEPTH_TOLERANCE = 0.015  # of the depth: the deck edge at B/2 lies at D, by the meaning of D
+SHORTEST = 0.05  # of B/2: gain below which nothing was found
+
+JUMP_PX = 2.0  # between neighbouring points of the line, beyond a slope of 56 degrees
+SHORTEST_RUN = 0.035  # of B/2
+
+
+@dataclass(frozen=True, eq=False)
+class SheerLine:
+    """Heights z over half-breadths y, px of the drawing; constant inside of its first point."""
+
+    y_px: Array
+    z_px: Array
+
+    def at(self, y_px: Array | float) -> Array:
+        """Height of the deck edge at a half-breadth."""
+        return np.asarray(np.interp(y_px, self.y_px, self.z_px))
+
+    def range_at(self, y_px: float) -> tuple[float, float]:
+        """Lowest and highest height that the line can have there: those of the known points on either side."""
+        right = int(np.clip(np.searchsorted(self.y_px, y_px), 1, len(self.y_px) - 1))
+        heights = self.z_px[right - 1 : right + 1]
+        return float(heights.min()), float(heights.max())
+
+
+def find_sheer(ink: Ink, frame: DiagonalFrame, depth_px: float) -> SheerLine | None:
+    """The sheer line of one half, or None where none is drawn.
+
+    Args:
+        ink: (rows, columns) of the picture, its long straight lines taken off.
+        frame: of the half.
+        depth_px: depth at side.
+    """
+    y = np.arange(2.0, frame.half_breadth_px - 1.0)
+    z = np.arange(LOWEST * depth_px, frame.top_px)
+    if z.size < 12:
+        return None
+    grid_z, grid_y = np.meshgrid(z, y, indexing="ij")
+    u, v = frame.to_picture(grid_y, grid_z)
+    upright = cv2.remap(ink, u.astype(np.float32), v.astype(np.float32), cv2.INTER_LINEAR, borderValue=0)
+    smooth = cv2.GaussianBlur(upright, (0, 0), 1.0)
+    # thin grey lines are weaker than the stations: what counts is that there is a ridge, not how black it is
+    flat = np.minimum(cv2.blur(smooth, (9, 1)) / RIDGE, 1.0)
+    band = round(BLANK_ABOVE * frame.half_breadth_px)
+    clear = 5  # px: the line's own flank
+    padded = np.vstack([smooth[clear:], np.zeros((clear, len(y)), np.float32)])
+    highest = cv2.dilate(padded, np.ones((band, 1), np.uint8), anchor=(0, 0), borderType=cv2.BORDER_CONSTANT)
+    above = np.minimum(highest / RIDGE, 1.0)
+    gain = flat - COST_OF_PAPER - COST_OF_INK_ABOVE * above
+    target = np.abs(z - depth_px) < DEPTH_TOLERANCE * depth_px
+    path, total = _best_path(gain.astype(np.float64), target)
+    if path is None or total < SHORTEST * frame.half_breadth_px:
+        return None
+    columns, rows = path
+    # sub-pixel: centroid of the ink within two pixels of the path
+    near = np.clip(rows[:, None] + np.arange(-2, 3), 0, len(z) - 1)
+    weights = smooth[near, columns[:, None]].astype(np.float64) ** 2
+    seen = smooth[rows, columns] > 0.08
+    # where a station meets the line, or a label touches it, the centroid is pulled off: rather interpolate there
+    for offset in (-6, -5, -4, 4, 5, 6):
+        seen &= smooth[np.clip(rows + offset, 0, len(z) - 1), columns] < 0.08
+    if seen.sum() < SHORTEST * frame.half_breadth_px:
+        return None
+    exact = (weights * z[near]).sum(axis=1) / np.maximum(weights.sum(axis=1), 1e-9)
+    at, height_px = y[columns[seen]], exact[seen]
+    steady = _long_runs(at, height_px, SHORTEST_RUN * frame.half_breadth_px)
+    # amidships the deck edge lies at half the breadth and at the depth, by the meaning of both
+    return SheerLine(np.append(at[steady], frame.half_breadth_px), np.append(height_px[steady], depth_px))
+
+
+def _long_runs(y: Array, z: Array, shortest: float) -> NDArray[np.bool_]:
+    """Points of runs without a jump that are long enough: strokes of labels and leaders make short ones."""
+    jumps = np.abs(np.diff(z)) > JUMP_PX + 1.5 * np.diff(y)
+    run = np.concatenate([[0], np.cumsum(jumps)])
+    return np.asarray(np.bincount(run)[run] >= min(shortest, len(y)))
+
+
+def _best_path(
+    gain: Array, target: NDArray[np.bool_]
+) -> tuple[tuple[NDArray[np.int64], NDArray[np.int64]] | None, float]:
+    """The path (columns, rows) of largest gain, one row a column, that ends on the last column in a target row."""
+    rows, columns = gain.shape
+    climb = COST_OF_CLIMBING * np.arange(rows)
+    value = np.zeros(rows)
+    origins = np.full((columns, rows), -1, dtype=np.int64)
+    index = np.arange(rows)
+    for column in range(columns):
+        up, down = value + climb, (value - climb)[::-1]
+        rising = np.maximum.accumulate(up)
+        falling = np.maximum.accumulate(down)[::-1]
+        from_below = np.maximum.accumulate(np.where(up >= rising, index, 0))
+        from_above = rows - 1 - np.maximum.accumulate(np.where(down >= falling[::-1], index, 0))[::-1]
+        reached = np.where(rising - climb >= falling + climb, rising - climb, falling + climb)
+        origin = np.where(rising - climb >= falling + climb, from_below, from_above)
+        origins[column] = np.where(reached > 0, origin, -1)  # a path that does not pay starts anew here
+        value = np.maximum(reached, 0.0) + gain[:, column]
+    row = int(np.argmax(np.where(target, value, -np.inf)))
+    total, column = float(value[row]), columns - 1
+    if not target.any() or total <= 0:
+        return None, 0.0
+    path = []
+    while column >= 0 and row >= 0:
+        path.append((column, row))
+        row = int(origins[column, row])
+        column -= 1
+    found = np.array(path[::-1], dtype=np.int64)
+    return (found[:, 0], found[:, 1]), total

@@ -1,0 +1,179 @@
+"""From paths of tracklets to smooth curves: merged lines are spread over their ribbon, noise and gaps bridged."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cmp_to_key
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import solveh_banded
+
+from hullform.picture.flow import Path
+from hullform.picture.frame import DiagonalFrame
+from hullform.picture.ridges import Tracklet
+
+Array = NDArray[np.float64]
+
+SHORTEST_WAVE = 0.045  # of B/2: shorter waves along a curve are taken for noise
+WEIGHT_OF_SHARED = 0.04  # of a point in a ribbon of several curves, against 1 for one of its own
+WEIGHT_OF_GAP = 0.004  # of a point that nothing shows
+PASSES = 4  # of the robust fit
+BLOT = 0.25  # of B/2: how far from the keel point curves may still be merged
+STEEPEST = 0.12  # least ratio of y and z there: a flatter or steeper curve touches its axis elsewhere
+AIM = 0.15  # of the distance: by how much a curve that heads for the keel point may miss it
+STRETCH_PX = 40  # that shows where a curve heads
+
+
+@dataclass(frozen=True, eq=False)
+class Trace:
+    """A smooth curve on every column of the diagonal frame, and how well it was seen.
+
+    Attributes:
+        column, row: in the frame, keel to deck.
+        weight: 1 where the curve stands alone, 0.04 in a ribbon, 0.004 in gaps.
+        visible: share of the columns with ink; `own`: share where it stands alone.
+        end_cost: of the flow, at both ends.
+    """
+
+    column: Array
+    row: Array
+    weight: Array
+    visible: float
+    own: float
+    end_cost: float
+
+
+def smooth_traces(
+    paths: Sequence[Path], tracklets: Sequence[Tracklet], width_px: float, frame: DiagonalFrame
+) -> list[Trace]:
+    """The curves of a half from the centre line outwards."""
+    raw = [_joined(path, tracklets) for path in paths]
+
+    def inside_first(first: int, second: int) -> int:
+        return _compare(raw[first], raw[second], first, second)
+
+    order = sorted(range(len(paths)), key=cmp_to_key(inside_first))
+    users: dict[int, list[int]] = {}
+    for rank in order:
+        for piece in paths[rank].tracklets:
+            users.setdefault(piece, []).append(rank)
+    return [_trace(number, paths[number], tracklets, users, width_px, frame) for number in order]
+
+
+def _joined(path: Path, tracklets: Sequence[Tracklet]) -> tuple[Array, Array]:
+    column = np.concatenate([tracklets[i].column for i in path.tracklets]).astype(np.float64)
+    row = np.concatenate([tracklets[i].row for i in path.tracklets])
+    unique, index = np.unique(column, return_index=True)
+    return unique, row[index]
+
+
+def _compare(a: tuple[Array, Array], b: tuple[Array, Array], first: int, second: int) -> int:
+    """-1 where a lies inside b, over the columns that both have."""
+    start, stop = max(a[0][0], b[0][0]), min(a[0][-1], b[0][-1])
+    if stop > start:
+        x = np.linspace(start, stop, 80)
+        difference = float(np.sum(np.interp(x, *a) - np.interp(x, *b)))
+    else:
+        difference = float(a[1].mean() - b[1].mean())
+    if abs(difference) < 1e-6:
+        return -1 if first < second else 1
+    return -1 if difference < 0 else 1
+
+
+def _trace(
+    number: int,
+    path: Path,
+    tracklets: Sequence[Tracklet],
+    users: dict[int, list[int]],
+    width_px: float,
+    frame: DiagonalFrame,
+) -> Trace:
+    columns, rows, weights = [], [], []
+    for piece in path.tracklets:
+        tracklet, sharers = tracklets[piece], users[piece]
+        row = tracklet.row
+        if len(sharers) > 1:
+            row = _spread(tracklet, sharers.index(number), len(sharers), width_px)
+        columns.append(tracklet.column.astype(np.float64))
+        rows.append(row)
+        weights.append(np.full(len(row), 1.0 if len(sharers) == 1 else WEIGHT_OF_SHARED))
+    column, index = np.unique(np.concatenate(columns), return_index=True)
+    row, seen = np.concatenate(rows)[index], np.concatenate(weights)[index]
+    found, own = len(column), int((seen == 1.0).sum())
+    column, row, seen = _held_to_keel(column, row, seen, frame)
+    every = np.arange(column[0], column[-1] + 1)
+    weight = np.full(len(every), WEIGHT_OF_GAP)
+    weight[(column - column[0]).astype(np.int64)] = seen
+    smooth = _robust_smooth(np.interp(every, column, row), weight, max(14.0, SHORTEST_WAVE * frame.half_breadth_px))
+    return Trace(
+        column=every,
+        row=smooth,
+        weight=weight,
+        visible=found / len(every),
+        own=own / len(every),
+        end_cost=path.end_cost,
+    )
+
+
+def _held_to_keel(column: Array, row: Array, weight: Array, frame: DiagonalFrame) -> tuple[Array, Array, Array]:
+    """Start a curve that heads for the keel point there, instead of in the blot where many such curves meet."""
+    alone = np.flatnonzero(weight == 1.0)
+    if alone.size < STRETCH_PX:
+        return column, row, weight
+    first = int(alone[0])
+    y, z = (float(value) for value in frame.to_drawing(column[first], row[first]))
+    distance = float(np.hypot(y, z))
+    if distance > BLOT * frame.half_breadth_px or min(y, z) < STEEPEST * max(y, z):
+        return column, row, weight
+    keel_column, keel_row = (float(value) for value in frame.from_drawing(0.0, 0.0))
+    stretch = alone[:STRETCH_PX]
+    slope, offset = np.polyfit(column[stretch] - keel_column, row[stretch] - keel_row, 1)
+    if abs(offset) > AIM * distance or column[first] <= keel_column + 1:
+        return column, row, weight
+    start = np.round(keel_column)
+    return (
+        np.append(start, column[first:]),
+        np.append(keel_row + slope * (start - keel_column), row[first:]),
+        np.append(1.0, weight[first:]),
+    )
+
+
+def _spread(tracklet: Tracklet, rank: int, sharers: int, width_px: float) -> Array:
+    """The axis of one of several lines that merged into a ribbon: between its edges, half a line width inside."""
+    across = width_px * np.hypot(1.0, np.clip(tracklet.slope, -1.2, 1.2))
+    free = np.maximum(0.0, tracklet.high - tracklet.low - across)
+    free = np.where(free > across * (sharers + 0.5), 0.0, free)  # wider than its lines: something else lies there
+    middle = 0.5 * (tracklet.low + tracklet.high)
+    row = np.where(free > 0, middle + free * (rank / (sharers - 1) - 0.5), tracklet.row)
+    if len(row) > 9:
+        row = np.convolve(np.pad(row, 4, mode="edge"), np.ones(9) / 9, "valid")
+    return row
+
+
+def _robust_smooth(values: Array, weights: Array, shortest_wave: float) -> Array:
+    """Whittaker's smoother (third differences), reweighted by Tukey's function of the residuals."""
+    if len(values) < 12:
+        return values
+    stiffness = (shortest_wave / (2 * np.pi)) ** 6
+    current = weights
+    for _ in range(PASSES):
+        smooth = _whittaker(values, current, stiffness)
+        residual = np.abs(smooth - values)
+        certain = weights > 0.5
+        scale = max(0.2, 1.4826 * float(np.median(residual[certain]))) if certain.sum() > 5 else 0.3
+        current = weights * np.clip(1 - (residual / (5 * scale)) ** 2, 0.001, 1.0) ** 2
+    return smooth
+
+
+def _whittaker(values: Array, weights: Array, stiffness: float) -> Array:
+    """Minimise sum w (f - values)^2 + stiffness * sum (third difference of f)^2."""
+    difference = np.array([-1.0, 3.0, -3.0, 1.0])
+    size = len(values)
+    bands = np.zeros((4, size))
+    for i in range(4):
+        for j in range(4 - i):
+            bands[3 - i, i + j : size - 3 + i + j] += stiffness * difference[j] * difference[i + j]
+    bands[3] += weights
+    return np.asarray(solveh_banded(bands, weights * values), dtype=np.float64)

@@ -1,0 +1,154 @@
+"""Figures of the girder: mass and stiffness along the ship, mode shapes, convergence."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.ticker import NullLocator
+
+from hullform.outcome import ConditionRun, Run
+from hullform.report.drawing import (
+    ACCENT,
+    INK,
+    PAGE_WIDTH,
+    QUIET,
+    SERIES,
+    WARM,
+    WEIGHT_COLOURS,
+    Picture,
+    as_svg,
+    finish,
+)
+from hullform.report.numbers import significant
+from hullvib.plots import plot_modes
+
+SHOWN_MODES = 3
+PANELS_ABREAST = 3
+# A difference below this, in per cent, is round-off and has no place on a logarithmic axis.
+SMALLEST_SHOWN_PERCENT = 1e-8
+
+
+def mass_figure(run: Run) -> Picture:
+    """m(x) of every condition, its weights stacked (the paper's figures 1 and 3, a)."""
+    conditions = list(run.conditions.values())
+    figure = Figure(figsize=(PAGE_WIDTH, 0.45 + 2.15 * len(conditions)))
+    panels = figure.subplots(len(conditions), 1, sharex=True, squeeze=False)[:, 0]
+    height = figure.get_figheight()
+    figure.subplots_adjust(left=0.075, right=0.79, top=1 - 0.24 / height, bottom=0.45 / height, hspace=0.28)
+    for axes, condition in zip(panels, conditions, strict=True):
+        breaks = condition.girder.breaks
+        x = np.repeat(breaks, 2)[1:-1]
+        below = np.zeros(x.size)
+        for item in condition.items:
+            left, right = item.at_piece_ends(breaks)
+            above = below + np.column_stack([left, right]).ravel() / 1e3
+            label = f"{item.name}, {significant(item.mass_kg / 1e3)} t"
+            colour = WEIGHT_COLOURS.get(item.name, QUIET)
+            axes.fill_between(x, below, above, color=colour, linewidth=0, label=label)
+            below = above
+        axes.plot(x, below, color=INK, linewidth=1.1, label="m(x)")
+        finish(axes, "", "m(x), t/m", condition.girder.length)
+        axes.set_ylim(0.0, 1.06 * float(below.max()))
+        axes.set_title(f"{condition.condition.title}, {significant(condition.mass_kg / 1e3)} t")
+        handles, labels = axes.get_legend_handles_labels()
+        axes.legend(handles[::-1], labels[::-1], loc="center left", bbox_to_anchor=(1.0, 0.5), handlelength=1.2)
+    panels[-1].set_xlabel("x from the aft end, m")
+    return as_svg(
+        figure,
+        "mass",
+        "Mass per length m(x) of each condition, by class of weight (as the paper's Figs. 1a and 3a).",
+        "Mass per length along the ship, stacked by class: steel, machinery aft, deck machinery forward, deadweight.",
+    )
+
+
+def structure_figure(run: Run) -> Picture:
+    """I(x), A(x) and the neutral axis (the paper's figures 1 and 3, b)."""
+    structure, length = run.structure, run.hull.length_overall_m
+    figure = Figure(figsize=(PAGE_WIDTH, 5.4))
+    second_moment, area, axis = figure.subplots(3, 1, sharex=True, height_ratios=[1.6, 1, 1])
+    figure.subplots_adjust(left=0.075, right=0.975, top=0.99, bottom=0.085, hspace=0.16)
+    for axes, values, label in (
+        (second_moment, structure.second_moment_m4, "I(x), m⁴"),
+        (area, structure.area_m2, "A(x), m²"),
+    ):
+        axes.fill_between(structure.x_m, values, color=ACCENT, alpha=0.14, linewidth=0)
+        axes.plot(structure.x_m, values, color=ACCENT, linewidth=1.5)
+        finish(axes, "", label, length)
+        axes.set_ylim(0.0, 1.1 * float(values.max()))
+    hull = run.hull
+    axis.fill_between(hull.x_m, hull.keel_height_m, hull.top_height_m, color=QUIET, alpha=0.14, linewidth=0)
+    axis.plot(hull.x_m, hull.top_height_m, color=QUIET, linewidth=0.9)
+    axis.plot(hull.x_m, hull.keel_height_m, color=QUIET, linewidth=0.9)
+    axis.plot(structure.x_m, structure.neutral_axis_m, color=WARM, linewidth=1.5, label="neutral axis")
+    finish(axis, "x from the aft end, m", "z, m", length)
+    axis.set_ylim(bottom=min(0.0, float(hull.keel_height_m.min())))
+    axis.legend(loc="lower center")
+    return as_svg(
+        figure,
+        "structure",
+        "Second moment I(x) and area A(x) of the shell with the equivalent-thickness factor (as the paper's Figs. 1b "
+        "and 3b), and the height of its neutral axis within the hull's profile.",
+        f"Second moment of area along the ship, largest {significant(structure.second_moment_m4.max())} m⁴, with the "
+        "shell's area and neutral axis below.",
+    )
+
+
+def modes_figure(condition: ConditionRun) -> Picture:
+    """The first three mode shapes, nodes marked, the uniform beam's dotted (the paper's figures 2 and 4)."""
+    modes = condition.modes
+    figure = Figure(figsize=(PAGE_WIDTH, 3.7))
+    axes = figure.subplots()
+    figure.subplots_adjust(left=0.075, right=0.975, top=0.98, bottom=0.325)
+    plot_modes(modes, axes, SHOWN_MODES)
+    axes.set_title("")
+    for positions in modes.nodes()[:SHOWN_MODES]:
+        axes.plot(positions, np.zeros(len(positions)), "o", color="white", markeredgecolor=INK, markersize=4.2)
+    title = condition.condition.title
+    return as_svg(
+        figure,
+        f"modes-{condition.condition.name}",
+        f"First three modes, {title}; the uniform beam's dotted, nodes circled (as the paper's Figs. 2 and 4). "
+        f"Each shape is scaled to {modes.normalisation_note}.",
+        f"Shapes of modes 1 to 3 along the ship, {title}, over those of the uniform beam.",
+    )
+
+
+def convergence_figure(run: Run) -> Picture:
+    """How far above the frequency with the most trial functions each smaller number lies."""
+    conditions = list(run.conditions.values())
+    columns = min(PANELS_ABREAST, len(conditions))
+    rows = -(-len(conditions) // columns)
+    figure = Figure(figsize=(PAGE_WIDTH, 2.7 * rows))
+    panels = figure.subplots(rows, columns, sharey=True, squeeze=False).ravel()
+    figure.subplots_adjust(left=0.085, right=0.975, top=1 - 0.1 / rows, bottom=0.17 / rows, wspace=0.08, hspace=0.4)
+    for unused in panels[len(conditions) :]:
+        unused.set_axis_off()
+    for axes, condition in zip(panels, conditions, strict=False):
+        numbers = sorted(condition.convergence_rad_s)
+        frequencies = np.array([condition.convergence_rad_s[n] for n in numbers])
+        above = 100 * (frequencies[:-1] / frequencies[-1] - 1)
+        shown = np.where(above > SMALLEST_SHOWN_PERCENT, above, np.nan)
+        for mode in range(frequencies.shape[1]):
+            colour = SERIES[mode % len(SERIES)]
+            axes.plot(
+                numbers[:-1],
+                shown[:, mode],
+                "o-",
+                color=colour,
+                linewidth=1.2,
+                markersize=3.5,
+                label=f"mode {mode + 1}",
+            )
+        axes.set_yscale("log")
+        axes.yaxis.set_minor_locator(NullLocator())
+        finish(axes, "elastic trial functions N", "", None)
+        axes.set_title(condition.condition.title)
+    for axes in panels[::columns]:
+        axes.set_ylabel(f"above N = {max(conditions[0].convergence_rad_s)}, %")
+    panels[0].legend(loc="lower left")
+    return as_svg(
+        figure,
+        "convergence",
+        "Ritz frequencies with N elastic trial functions and the two rigid-body ones, above those with the largest N.",
+        "Differences fall as trial functions are added, mode 1 fastest.",
+    )

@@ -1,0 +1,92 @@
+"""Figures of the body plan and the hull's areas."""
+
+from __future__ import annotations
+
+from matplotlib.figure import Figure
+
+from hullform.body_plan import Half
+from hullform.outcome import Run
+from hullform.report.drawing import ACCENT, PAGE_WIDTH, QUIET, SERIES, WARM, Picture, as_svg, finish
+from hullform.report.numbers import significant
+
+FIT_POINTS = 80
+FIT_WIDTH = 4.0
+FIT_ALPHA = 0.38
+# Inches: the drawing keeps its proportions, so the figure's height follows from the ship.
+LEFT_MARGIN = 0.62
+RIGHT_MARGIN = 0.1
+BODY_PLAN_FOOT = 0.75
+HALF_COLOURS: dict[Half, str] = {"aft": WARM, "fore": ACCENT}
+
+
+def body_plan_figure(run: Run) -> Picture:
+    """Every station as traced, in thin black, over the super-ellipse fitted to it, in colour."""
+    particulars = run.ship.particulars
+    aft_sign = -1.0 if run.ship.body_plan.aft_side == "left" else 1.0
+    side: dict[Half, float] = {"aft": aft_sign, "fore": -aft_sign}
+    across = 1.17 * particulars.breadth_m
+    lowest, highest = -0.04 * particulars.depth_m, 1.04 * float(run.hull.top_height_m.max())
+    drawn_width = PAGE_WIDTH - LEFT_MARGIN - RIGHT_MARGIN
+    drawn_height = drawn_width * (highest - lowest) / across
+    height = drawn_height + BODY_PLAN_FOOT + RIGHT_MARGIN
+    figure = Figure(figsize=(PAGE_WIDTH, height))
+    axes = figure.add_axes(
+        (LEFT_MARGIN / PAGE_WIDTH, BODY_PLAN_FOOT / height, drawn_width / PAGE_WIDTH, drawn_height / height)
+    )
+    for station in run.hull.fits:
+        if station.fit is None:
+            continue
+        y, zeta = station.fit.ellipse.points(FIT_POINTS).T
+        z = station.fit.top_height_m - zeta
+        colour = HALF_COLOURS[station.half]
+        axes.plot(side[station.half] * y, z, color=colour, linewidth=FIT_WIDTH, alpha=FIT_ALPHA, solid_capstyle="round")
+    for drawn in run.body_plan.stations:
+        for curve in drawn.curves:
+            y = side[drawn.half] * curve.half_breadth_m
+            axes.plot(y, curve.height_m, color="black", linewidth=0.7)
+    axes.axvline(0.0, color=QUIET, linewidth=0.8, linestyle=(0, (8, 3, 2, 3)))
+    axes.axhline(particulars.draught_m, color=QUIET, linewidth=0.8, linestyle=(0, (5, 3)))
+    axes.annotate(
+        f"T {particulars.draught_m:g} m", (across / 2, particulars.draught_m), (-2, 3),
+        textcoords="offset points", ha="right", fontsize=8,
+    )  # fmt: skip
+    axes.plot([], [], color="black", linewidth=0.7, label="traced")
+    axes.plot([], [], color=HALF_COLOURS["aft"], linewidth=FIT_WIDTH, alpha=FIT_ALPHA, label="fitted, aft half")
+    axes.plot([], [], color=HALF_COLOURS["fore"], linewidth=FIT_WIDTH, alpha=FIT_ALPHA, label="fitted, fore half")
+    axes.set_xlim(-across / 2, across / 2)
+    axes.set_ylim(lowest, highest)
+    finish(axes, "y from the centre line, m", "z above the base line, m")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.42 / drawn_height), ncols=3)
+    return as_svg(
+        figure,
+        "body-plan-fit",
+        "Stations as traced from the picture (thin, black) over the super-ellipses fitted to them (broad, coloured).",
+        f"Body plan with {len(run.hull.fits)} stations: traced curves lie over their fitted super-ellipses.",
+    )
+
+
+def area_figure(run: Run) -> Picture:
+    """Sectional areas below the draught of each condition."""
+    hull = run.hull
+    figure = Figure(figsize=(PAGE_WIDTH, 3.0))
+    axes = figure.subplots()
+    figure.subplots_adjust(left=0.075, right=0.975, top=0.9, bottom=0.16)
+    x = hull.x_m
+    for number, condition in enumerate(run.conditions.values()):
+        draught = condition.floating.draught_m
+        label = f"{condition.condition.title}, {significant(draught)} m"
+        axes.plot(x, hull.sectional_areas(draught), color=SERIES[number % len(SERIES)], linewidth=1.5, label=label)
+    design = hull.sectional_areas(run.at_draught.draught_m)
+    axes.fill_between(x, design, color=QUIET, alpha=0.14, linewidth=0)
+    axes.plot(
+        x, design, color=QUIET, linewidth=1.0, linestyle=":", label=f"design draught, {run.at_draught.draught_m:g} m"
+    )
+    finish(axes, "x from the aft end, m", "sectional area, m²", hull.length_overall_m)
+    axes.set_ylim(0.0, None)
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4, borderaxespad=0.2, columnspacing=1.4)
+    return as_svg(
+        figure,
+        "sectional-areas",
+        "Sectional area below the even-keel waterline of each condition.",
+        f"Sectional area curves; the largest section at the design draught has {significant(design.max())} m².",
+    )

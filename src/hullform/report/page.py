@@ -1,0 +1,182 @@
+"""report.html and its figures, out of a finished run: one file that opens anywhere, with or without a network."""
+
+from __future__ import annotations
+
+import json
+import math
+import platform
+from collections.abc import Mapping
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import jinja2
+
+from hullform.checks import Check
+from hullform.files import whole_file
+from hullform.outcome import ConditionRun, Run
+from hullform.report import girder_figures, hull_figures, hull_view
+from hullform.report.appendix import appendix
+from hullform.report.drawing import JPEG_QUALITY, Picture, house_style
+from hullform.report.numbers import as_given, per_cent, short, signed, significant
+from hullform.report.published import FUNCTIONS
+from hullform.report.wording import reading_of_mode
+
+REPORT_NAME = "report.html"
+FIGURES_NAME = "figures"
+TEMPLATE = "report.html.j2"
+HEADLINE_MODES = girder_figures.SHOWN_MODES
+# A ship that fails one of these does not float as the girder is analysed.
+FLOATING_CHECKS = frozenset({"displacement", "floats", "trim"})
+# What the cards of the first screen call the checks; their titles in full stand with the remedies.
+CHECK_LABELS = {
+    "given-displacement": "Displacement at the design draught, read against given",
+    "given-block-coefficient": "Block coefficient, read against given",
+    "given-lcb": "Centre of buoyancy, read against given",
+    "displacement": "Buoyancy at the design draught against her mass",
+    "floats": "Mass against the displacement at the depth",
+    "trim": "Trim that LCG against LCB would cause, by the stern positive",
+    "light-ship": "Light ship less steel, within a factor of two of Watson’s estimate",
+}
+LIBRARIES = ("numpy", "scipy", "opencv-python-headless", "trimesh", "matplotlib")
+
+
+def write_report(run: Run, folder: Path) -> None:
+    """Write report.html and the folder `figures` into an existing folder.
+
+    Args:
+        run: everything the report shows; no number in it is computed here but differences and ratios.
+        folder: where results.json and the mesh are written too.
+
+    Raises:
+        OutputError: a file cannot be written.
+    """
+    pictures = draw_pictures(run)
+    (folder / FIGURES_NAME).mkdir(exist_ok=True)
+    for picture in pictures.values():
+        with whole_file(folder / FIGURES_NAME / picture.file_name) as aside:
+            aside.write_bytes(picture.content)
+    page = render(run, pictures, hull_view.viewer_page(run.hull, run.at_draught.draught_m))
+    with whole_file(folder / REPORT_NAME) as aside:
+        aside.write_text(page, encoding="utf-8")
+
+
+def draw_pictures(run: Run) -> dict[str, Picture]:
+    """Every figure of the report, by name."""
+    with house_style():
+        pictures = [
+            _overlay(run),
+            hull_figures.body_plan_figure(run),
+            hull_figures.area_figure(run),
+            hull_view.still_picture(run.hull, run.at_draught.draught_m),
+            girder_figures.mass_figure(run),
+            girder_figures.structure_figure(run),
+            *(girder_figures.modes_figure(condition) for condition in run.conditions.values()),
+            girder_figures.convergence_figure(run),
+        ]
+    return {picture.name: picture for picture in pictures}
+
+
+def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
+    """The page as text.
+
+    Args:
+        run: what it shows.
+        pictures: of `draw_pictures`.
+        viewer: the page of the inner frame, of `hull_view.viewer_page`.
+    """
+    environment = jinja2.Environment(
+        loader=jinja2.PackageLoader("hullform.report"),
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters.update(sig=significant, short=short, signed=signed, given=as_given, hz=hertz)
+    given, weights, _ = run.ship.require_sections_of_a_run()
+    context: dict[str, Any] = {
+        "run": run,
+        "ship": run.ship.particulars,
+        "structure_given": given,
+        "weights_given": weights,
+        "conditions": list(run.conditions.values()),
+        "modes": range(HEADLINE_MODES),
+        "pictures": pictures,
+        "viewer": _script_text(viewer),
+        "stations": _stations(run),
+        "sinking": {name: floating_faults(condition) for name, condition in run.conditions.items()},
+        "check_labels": CHECK_LABELS,
+        "failed": failed_checks(run),
+        "blocks": appendix(run),
+        "functions": FUNCTIONS,
+        "per_cent": per_cent,
+        "reading_of_mode": reading_of_mode,
+        "agreement": {name: largest_difference(condition) for name, condition in run.conditions.items()},
+        "versions": {"hullform": version("hullform"), "Python": platform.python_version()}
+        | {library: version(library) for library in LIBRARIES},
+    }
+    return environment.get_template(TEMPLATE).render(context)
+
+
+def floating_faults(condition: ConditionRun) -> list[Check]:
+    """The checks of floating that a condition fails."""
+    return [check for check in condition.checks if check.id in FLOATING_CHECKS and not check.ok]
+
+
+def failed_checks(run: Run) -> list[str]:
+    """Every failed check but those of floating, in full with its remedy, once, with the conditions that it concerns."""
+    where: dict[str, list[str]] = {}
+    for check in run.checks:
+        if not check.ok:
+            where[_sentence(check)] = ["the ship"]
+    for condition in run.conditions.values():
+        for check in condition.checks:
+            if not check.ok and check.id not in FLOATING_CHECKS:
+                where.setdefault(_sentence(check), []).append(condition.condition.title)
+    return [f"{', '.join(titles)}: {sentence}" for sentence, titles in where.items()]
+
+
+def _sentence(check: Check) -> str:
+    return (
+        f"{check.title}: {significant(check.value)} {check.unit}, limit {short(check.limit)} {check.unit}; "
+        f"{check.remedy}."
+    )
+
+
+def largest_difference(condition: ConditionRun) -> float:
+    """Largest difference of the Ritz from the finite-element frequencies over the headline modes, in per cent."""
+    ritz = condition.modes.angular_frequencies[:HEADLINE_MODES]
+    finite_element = condition.solutions["finite_element"].angular_frequencies[:HEADLINE_MODES]
+    return float(abs(100 * (ritz / finite_element - 1)).max())
+
+
+def hertz(angular_frequency: float) -> float:
+    """rad/s to Hz."""
+    return angular_frequency / (2 * math.pi)
+
+
+def _overlay(run: Run) -> Picture:
+    import cv2
+
+    from hullform.picture.overlay import draw_overlay
+
+    _, encoded = cv2.imencode(".jpg", draw_overlay(run.reading), [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY])
+    return Picture(
+        "overlay",
+        f"{run.ship.body_plan.image} as read: traced stations in colour over the faded picture.",
+        f"The body plan of {run.ship.particulars.name} with the traced station curves drawn over it.",
+        "jpg",
+        encoded.tobytes(),
+    )
+
+
+def _stations(run: Run) -> list[dict[str, Any]]:
+    """Each drawn station with its fit."""
+    return [
+        {"drawn": drawn, "fitted": fitted} for drawn, fitted in zip(run.body_plan.stations, run.hull.fits, strict=True)
+    ]
+
+
+def _script_text(text: str) -> str:
+    """Text as a JSON string that can stand in a script element: no '<' is left in it."""
+    return json.dumps(text).replace("<", "\\u003c")
