@@ -12,7 +12,6 @@ from typing import Any
 import pytest
 
 ROOT = Path(__file__).parent.parent
-SHIPS = ("scim-containership", "ds-tanker", "wigley")
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.loading.watson import Estimate
+from hullform.rounding import short, significant
 from hullform.ship import Particulars
 
 # Reading, fitting and lofting together are good to some tenths of a per cent; ten times that is a fault somewhere.
@@ -45,7 +46,9 @@ class Check:
     @property
     def doubt(self) -> str:
         """One sentence for the list of doubts."""
-        return f"{self.title}: {self.value:.3g} {self.unit}, limit {self.limit:.3g} {self.unit}; {self.remedy}"
+        return (
+            f"{self.title}: {significant(self.value)} {self.unit}, limit {short(self.limit)} {self.unit}; {self.remedy}"
+        )
 
 
 def _deviation(id: str, title: str, value: float, limit: float, unit: str, remedy: str) -> Check:
@@ -130,7 +133,7 @@ def check_trim(lcg_m: float, floating: Hydrostatics) -> Check:
     way = "stern" if trim_percent >= 0 else "bow"
     return _deviation(
         "trim",
-        f"trim by the {way} that the lever of {abs(lever):.2f} m between LCG and LCB would cause",
+        f"trim by the {way} that the lever of {significant(abs(lever))} m between LCG and LCB would cause",
         trim_percent,
         limit,
         "% of LPP",
@@ -146,7 +149,7 @@ def check_light_ship(semi_concentrated_t: float, expected: Estimate) -> Check:
         limit, ok = expected.upper_t, semi_concentrated_t <= expected.upper_t
     return Check(
         "light-ship",
-        f"light ship less steel, expected near {expected.weight_t:.0f} t of machinery and outfit (Watson)",
+        f"light ship less steel, expected near {significant(expected.weight_t)} t of machinery and outfit (Watson)",
         semi_concentrated_t,
         limit,
         "t",

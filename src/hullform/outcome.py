@@ -61,7 +61,8 @@ class ConditionRun:
         floating: hydrostatics at the even-keel draught of its mass (at the depth, where it would sink).
         checks: what holds and what does not.
         solutions: by 'ritz', 'ritz_elastic_only' and 'finite_element', the modes of the dry Euler-Bernoulli girder.
-        convergence_rad_s: number of Ritz functions to the first frequencies.
+        convergence_rad_s: number of Ritz functions to the first frequencies, with the rigid-body functions.
+        elastic_only_convergence_rad_s: the same in the paper's basis.
         distortion: how the modes differ from the uniform beam's.
         empirical: in-water formulas.
     """
@@ -73,6 +74,7 @@ class ConditionRun:
     checks: tuple[Check, ...]
     solutions: Mapping[str, Modes]
     convergence_rad_s: Mapping[int, Array]
+    elastic_only_convergence_rad_s: Mapping[int, Array]
     distortion: Distortion
     empirical: EmpiricalFigures
 

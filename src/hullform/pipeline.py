@@ -5,6 +5,9 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
+import numpy as np
+from numpy.typing import NDArray
+
 from hullform import checks
 from hullform.body_plan import BodyPlan
 from hullform.empirical_figures import empirical_figures
@@ -22,6 +25,7 @@ from hullvib.modes import Modes
 from hullvib.ritz import Ritz
 from hullvib.solving import solve
 
+Array = NDArray[np.float64]
 Progress = Callable[[str], None]
 
 MODES = 5
@@ -168,12 +172,16 @@ def _run_condition(
             "ritz_elastic_only": solve(girder, Ritz(functions=RITZ_FUNCTIONS, rigid_body=False), modes=MODES),
             "finite_element": solve(girder, FiniteElements(elements=ELEMENTS), modes=MODES),
         },
-        convergence_rad_s=dict(
-            zip(CONVERGENCE, distortion.ritz_convergence(girder, CONVERGENCE, CONVERGENCE_MODES), strict=True)
-        ),
+        convergence_rad_s=_convergence(girder, rigid_body=True),
+        elastic_only_convergence_rad_s=_convergence(girder, rigid_body=False),
         distortion=_distortion(modes),
         empirical=empirical_figures(ship, structure, mass / KG_PER_T, draught),
     )
+
+
+def _convergence(girder: Girder, *, rigid_body: bool) -> dict[int, Array]:
+    found = distortion.ritz_convergence(girder, CONVERGENCE, CONVERGENCE_MODES, rigid_body=rigid_body)
+    return dict(zip(CONVERGENCE, found, strict=True))
 
 
 def _distortion(modes: Modes) -> Distortion:

@@ -10,7 +10,7 @@ import hashlib
 import importlib.metadata
 import json
 import platform
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -19,7 +19,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from hullform.checks import Check
 from hullform.files import PROGRAM
-from hullform.outcome import ConditionRun, Run
+from hullform.outcome import Array, ConditionRun, Run
 from hullvib.modes import Modes
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
@@ -303,9 +303,16 @@ def _condition(run: ConditionRun) -> ConditionRecord:
         empirical_inputs=dict(run.empirical.inputs),
         headline=Headline(medium=modes.medium, theory=modes.theory, frequencies_hz=modes.frequencies_hz.tolist()),
         solutions=[_solution(found) for found in run.solutions.values()],
-        convergence={"ritz": {str(functions): found.tolist() for functions, found in run.convergence_rad_s.items()}},
+        convergence={
+            "ritz": _by_functions(run.convergence_rad_s),
+            "ritz_elastic_only": _by_functions(run.elastic_only_convergence_rad_s),
+        },
         distortion=_distortion(run),
     )
+
+
+def _by_functions(convergence: Mapping[int, Array]) -> dict[str, Frequencies]:
+    return {str(functions): found.tolist() for functions, found in convergence.items()}
 
 
 def _distortion(run: ConditionRun) -> DistortionRecord:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from hullform.outcome import Run
-from hullform.report.numbers import significant
+from hullform.rounding import significant
 
 SHOWN = 3
 

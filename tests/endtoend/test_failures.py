@@ -55,9 +55,8 @@ def test_a_draught_above_the_depth(ship: Path, capsys: pytest.CaptureFixture[str
 
 
 def test_a_negative_weight(ship: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    text = ship.read_text(encoding="utf-8")
-    ship.write_text(text.replace("[weights]", "[weights]\nmachinery_share = -0.5"), encoding="utf-8")
-    assert "weights.machinery_share = -0.5" in refused(ship, capsys)
+    spoil(ship, "steel_weight_t = 850.0", "steel_weight_t = -850.0")
+    assert "weights.steel_weight_t = -850.0: input should be greater than 0" in refused(ship, capsys)
 
 
 def test_a_missing_picture(ship: Path, capsys: pytest.CaptureFixture[str]) -> None:

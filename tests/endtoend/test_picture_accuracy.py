@@ -12,59 +12,27 @@ import cv2
 import numpy as np
 import pytest
 from draw_bodyplans import draw, further_pictures, outline
-from numpy.typing import NDArray
+from reading_accuracy import area_below, station_errors
 
 from hullform.picture.overlay import draw_overlay, write_overlay
 from hullform.picture.reading import PictureReading, read_picture
 from hullform.ship import read_ship
-
-Array = NDArray[np.float64]
 
 BODYPLANS = Path(__file__).parents[2] / "bodyplans"
 SHIPS = ("scim-containership", "ds-tanker", "wigley")
 FURTHER = list(further_pictures())
 
 
-def to_polyline(points: Array, line: Array) -> Array:
-    """Distance of each point to a polyline."""
-    start, step = line[:-1], np.diff(line, axis=0)
-    length = np.maximum((step**2).sum(axis=1), 1e-18)
-    share = np.clip(((points[:, None] - start) * step).sum(axis=2) / length, 0, 1)
-    return np.hypot(*np.moveaxis(start + share[..., None] * step - points[:, None], 2, 0)).min(axis=1)
-
-
-def evenly(line: Array, count: int = 300) -> Array:
-    """Points at equal steps of arc length."""
-    arc = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(line, axis=0).T))])
-    at = np.linspace(0, arc[-1], count)
-    return np.column_stack([np.interp(at, arc, line[:, k]) for k in (0, 1)])
-
-
-def area_below(line: Array, height: float) -> float:
-    """Half the sectional area up to a height: the integral of y dz, for a curve whose z does not fall."""
-    z = np.linspace(line[0, 1], min(height, line[-1, 1]), 2000)
-    return float(np.trapezoid(np.interp(z, np.maximum.accumulate(line[:, 1]), line[:, 0]), z)) if z[-1] > z[0] else 0.0
-
-
 def check_accuracy(ship_name: str, reading: PictureReading, names: tuple[tuple[float, ...], tuple[float, ...]]) -> None:
     """The bounds that the reading of a clean print has to keep."""
-    hull, plan = outline(ship_name), reading.body_plan
+    plan = reading.body_plan
     found = tuple(tuple(s.x_m for s in plan.stations if s.half == half) for half in ("aft", "fore"))
     assert found == names
-    rms, areas = [], []
-    largest = max(area_below(hull.section(x, 900), np.inf) for half in names for x in half)
-    for station in plan.stations:
-        truth = hull.section(station.x_m, 600)
-        traced = evenly(station.curves[0].points)
-        there = to_polyline(evenly(truth), traced)
-        back = to_polyline(traced, truth)
-        rms.append(100 * max(np.sqrt(np.mean(there**2)), np.sqrt(np.mean(back**2))) / (reading.breadth_m / 2))
-        for height in (reading.draught_m, np.inf):
-            areas.append(100 * (area_below(traced, height) - area_below(truth, height)) / largest)
+    errors = station_errors(outline(ship_name), reading)
     # 0.3 % of B/2 is 2 px at 1600 px width, twice what a line's axis is uncertain by where two lines merge
-    assert np.mean(np.array(rms) <= 0.3) >= 0.95, sorted(rms)[-5:]
-    assert max(rms) <= 0.6
-    assert np.max(np.abs(areas)) <= 0.5
+    assert np.mean(errors.rms_percent <= 0.3) >= 0.95, np.sort(errors.rms_percent)[-5:]
+    assert errors.rms_percent.max() <= 0.6
+    assert np.abs(errors.area_percent).max() <= 0.5
     assert plan.doubts == ()
     assert min(station.confidence for station in plan.stations) >= 0.5
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import re
 import shutil
@@ -19,7 +20,7 @@ BLOCKS = [match.groupdict() for match in FENCED.finditer(README)]
 CONSOLE = [block["text"] for block in BLOCKS if block["kind"] == "console"]
 PYTHON = [
     (code["text"], output["text"])
-    for code, output in zip(BLOCKS, BLOCKS[1:], strict=False)
+    for code, output in itertools.pairwise(BLOCKS)
     if (code["kind"], output["kind"]) == ("python", "text")
 ]
 
@@ -81,14 +82,14 @@ def test_the_example_ship_is_the_one_in_the_folder() -> None:
 
 def test_every_command_of_the_table_exists() -> None:
     for program, command in re.findall(r"^\| `(hullform|hullvib) (\w+) ", README, re.MULTILINE):
-        ran = subprocess.run(
-            [sys.executable, "-m", f"{program}.cli", command, "--help"], capture_output=True, text=True
-        )
+        ran = subprocess.run([Path(sys.executable).parent / program, command, "--help"], capture_output=True, text=True)
         assert ran.returncode == 0
         assert f"{program} {command}" in ran.stdout
 
 
-@pytest.mark.skipif(not (ROOT / ".venv/made-for").exists(), reason="made by scripts/test; here another environment runs")
+@pytest.mark.skipif(
+    not (ROOT / ".venv/made-for").exists(), reason="scripts/test makes .venv; here another environment runs"
+)
 def test_the_demo_runs_from_anywhere_and_twice(tmp_path: Path) -> None:
     for _ in range(2):
         ran = subprocess.run(["sh", str(ROOT / "scripts/demo")], cwd=tmp_path, capture_output=True, text=True)

@@ -46,7 +46,7 @@ def test_steel_weight(of_ship: Particulars, block: float, weight: float, lower: 
 
 
 def test_guessed_power_is_of_the_size_of_such_ships() -> None:
-    # A 248 m container ship of the 2000s has 30-45 MW (sister ships of this size: 36560 kW), a 136000 t tanker 11-17 MW.
+    # A 248 m container ship has 30-45 MW (36560 kW in a ship of this size), a 136000 t tanker 11-17 MW.
     assert 30e3 < watson.installed_power_kw(CONTAINER, 74660.0) < 45e3
     assert 11e3 < watson.installed_power_kw(TANKER, 136011.0) < 17e3
 

@@ -85,6 +85,6 @@ def test_what_the_file_says_is_held_against_what_was_read() -> None:
 
 def test_a_doubt_names_number_limit_and_remedy() -> None:
     doubt = checks.check_displacement(10.0e6, dataclasses.replace(BARGE, draught_m=5.2)).doubt
-    assert "2.5 %" in doubt
+    assert "2.50 %" in doubt
     assert "limit 1 %" in doubt
     assert "check the draught" in doubt

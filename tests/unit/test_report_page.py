@@ -15,9 +15,9 @@ import pytest
 from hullform.body_plan import BodyPlan, Station, TracedCurve
 from hullform.outcome import Run
 from hullform.pipeline import run_ship
-from hullform.report.numbers import significant
 from hullform.report.page import draw_pictures, failed_checks, floating_faults, render, write_report
 from hullform.report.wording import reading_of_mode
+from hullform.rounding import significant
 from hullform.ship import read_ship
 
 # The particulars of the paper's container ship, so that her report has its appendix; the hull is a plain one with

@@ -118,7 +118,7 @@ def merged_breaks(parts: Iterable[Array]) -> Array:
     """Every breakpoint of every part, once, in order; those that round-off keeps apart become one."""
     breaks = np.unique(np.concatenate(list(parts)))
     apart = np.concatenate([[True], np.diff(breaks) > SAME_PLACE_M])
-    return breaks[apart]
+    return np.asarray(breaks[apart], dtype=np.float64)
 
 
 def girder_from(name: str, items: tuple[Distribution, ...], x_m: Array, flexural_rigidity: Array) -> Girder:

@@ -24,10 +24,10 @@ class Line:
     printed_todd: float
     printed_finite_element: float
     ritz: tuple[float, ...]
+    elastic_only: tuple[float, ...]
     schlick: float
     todd: float
     finite_element: float
-    elastic_only: float
     nondimensional: float
 
     @property
@@ -38,7 +38,7 @@ class Line:
     @property
     def own_ratio(self) -> float:
         """Our finite elements over our Ritz figure in the paper's basis."""
-        return self.finite_element / self.elastic_only
+        return self.finite_element / self.elastic_only[-1]
 
 
 @dataclass(frozen=True)
@@ -79,6 +79,7 @@ def _lines(run: Run, condition: ConditionRun, published: PublishedCondition) -> 
     unit = nondimensional_unit(run)
     figures, solutions = condition.empirical.figures_rad_s, condition.solutions
     ritz = np.array([condition.convergence_rad_s[functions] for functions in FUNCTIONS])
+    elastic_only = np.array([condition.elastic_only_convergence_rad_s[functions] for functions in FUNCTIONS])
     lines = []
     for index, printed in enumerate(published.modes):
         lines.append(
@@ -89,11 +90,11 @@ def _lines(run: Run, condition: ConditionRun, published: PublishedCondition) -> 
                 printed_schlick=printed.schlick,
                 printed_todd=printed.todd,
                 printed_finite_element=printed.finite_element,
-                ritz=tuple(float(figure) for figure in ritz[:, index]),
+                ritz=tuple(ritz[:, index].tolist()),
+                elastic_only=tuple(elastic_only[:, index].tolist()),
                 schlick=float(figures["schlick_hollow_box"][index]),
                 todd=float(figures["todd"][index]),
                 finite_element=_frequency(solutions["finite_element"].angular_frequencies, index),
-                elastic_only=_frequency(solutions["ritz_elastic_only"].angular_frequencies, index),
                 nondimensional=_frequency(condition.modes.angular_frequencies, index) / unit,
             )
         )

@@ -19,7 +19,7 @@ from hullform.report.drawing import (
     as_svg,
     finish,
 )
-from hullform.report.numbers import significant
+from hullform.rounding import significant
 from hullvib.plots import plot_modes
 
 SHOWN_MODES = 3

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from hullform.body_plan import Half
 from hullform.outcome import Run
 from hullform.report.drawing import ACCENT, PAGE_WIDTH, QUIET, SERIES, WARM, Picture, as_svg, finish
-from hullform.report.numbers import significant
+from hullform.rounding import significant
 
 FIT_POINTS = 80
 FIT_WIDTH = 4.0

@@ -18,9 +18,9 @@ from hullform.outcome import ConditionRun, Run
 from hullform.report import girder_figures, hull_figures, hull_view
 from hullform.report.appendix import appendix
 from hullform.report.drawing import JPEG_QUALITY, Picture, house_style
-from hullform.report.numbers import as_given, per_cent, short, signed, significant
 from hullform.report.published import FUNCTIONS
 from hullform.report.wording import reading_of_mode
+from hullform.rounding import as_given, per_cent, short, signed, significant
 
 REPORT_NAME = "report.html"
 FIGURES_NAME = "figures"
@@ -128,19 +128,12 @@ def failed_checks(run: Run) -> list[str]:
     where: dict[str, list[str]] = {}
     for check in run.checks:
         if not check.ok:
-            where[_sentence(check)] = ["the ship"]
+            where[f"{check.doubt}."] = ["the ship"]
     for condition in run.conditions.values():
         for check in condition.checks:
             if not check.ok and check.id not in FLOATING_CHECKS:
-                where.setdefault(_sentence(check), []).append(condition.condition.title)
+                where.setdefault(f"{check.doubt}.", []).append(condition.condition.title)
     return [f"{', '.join(titles)}: {sentence}" for sentence, titles in where.items()]
-
-
-def _sentence(check: Check) -> str:
-    return (
-        f"{check.title}: {significant(check.value)} {check.unit}, limit {short(check.limit)} {check.unit}; "
-        f"{check.remedy}."
-    )
 
 
 def largest_difference(condition: ConditionRun) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from hullform.outcome import ConditionRun
-from hullform.report.numbers import significant
+from hullform.rounding import significant
 from hullvib.distortion import Shift
 from hullvib.fields import UniformModeSeries
 from hullvib.uniform_beam import frequency_parameters

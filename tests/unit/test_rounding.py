@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from hullform.report.numbers import MINUS, THIN_SPACE, as_given, per_cent, short, signed, significant
+from hullform.rounding import MINUS, THIN_SPACE, as_given, per_cent, short, signed, significant
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""How numbers are written in the report: three significant figures, with a unit; all digits are in results.json."""
+"""How numbers are written for a person: three significant figures; all digits are in results.json."""
 
 from __future__ import annotations
 
