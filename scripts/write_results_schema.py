@@ -1,11 +1,11 @@
-"""Write src/hullform/results.schema.json anew from the types of hullform.results. Run after changing them."""
+"""Write src/hullform/results.schema.json anew from the types of hullform.records. Run after changing them."""
 
 from __future__ import annotations
 
 import json
 from pathlib import Path
 
-from hullform.results import json_schema
+from hullform.records import json_schema
 
 PATH = Path(__file__).parent.parent / "src" / "hullform" / "results.schema.json"
 

@@ -13,170 +13,25 @@ import platform
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from pathlib import Path
-from typing import Annotated, Any, Literal
-
-from pydantic import BaseModel, ConfigDict, Field
 
 from hullform.checks import Check
 from hullform.files import PROGRAM
 from hullform.outcome import Array, ConditionRun, Run
+from hullform.records import (
+    CheckRecord,
+    ConditionRecord,
+    DistortionRecord,
+    Frequencies,
+    Headline,
+    HullRecord,
+    Provenance,
+    Results,
+    Solution,
+    StationRecord,
+    StructureRecord,
+    WeightRecord,
+)
 from hullvib.modes import Modes
-
-Finite = Annotated[float, Field(allow_inf_nan=False)]
-Frequencies = list[Finite]
-
-
-class _Table(BaseModel):
-    model_config = ConfigDict(extra="forbid")
-
-
-class Provenance(_Table):
-    """What made the file, from what, and how long it took."""
-
-    program: str
-    versions: dict[str, str]
-    created_utc: str
-    ship_file: str
-    ship_file_sha256: str
-    image: str
-    image_sha256: str
-    seconds: dict[str, Finite]
-
-
-class CheckRecord(_Table):
-    """A plausibility check: value against limit."""
-
-    id: str
-    title: str
-    value: Finite
-    limit: Finite
-    unit: str
-    ok: bool
-    remedy: str
-
-
-class StationRecord(_Table):
-    """A drawn station and its super-ellipse; the ellipse is null where the station is too thin to have a shape."""
-
-    x_m: Finite
-    half: Literal["aft", "fore"]
-    name: str
-    confidence: Finite
-    shared_with_m: list[Finite]
-    half_breadth_m: Finite
-    top_height_m: Finite
-    keel_height_m: Finite
-    p: Finite | None
-    q: Finite | None
-    area_error: Finite | None
-    largest_deviation_m: Finite | None
-
-
-class HullRecord(_Table):
-    """The hull as read and lofted."""
-
-    stations: list[StationRecord]
-    hydrostatics: dict[str, Finite]
-    notes: list[str]
-    calibration: dict[str, Any] | None
-
-
-class StructureRecord(_Table):
-    """The shell at midships, and the curves along the ship."""
-
-    midship_shell_second_moment_m4: Finite
-    thickness_factor: Finite
-    equivalent_thickness_m: Finite
-    youngs_modulus_pa: Finite
-    stations_at_the_floor: int
-    x_m: list[Finite]
-    girth_m: list[Finite]
-    area_m2: list[Finite]
-    neutral_axis_m: list[Finite]
-    second_moment_m4: list[Finite]
-
-
-class Solution(_Table):
-    """Frequencies by one method."""
-
-    method: str
-    theory: str
-    medium: str
-    functions: int | None = None
-    rigid_body: bool | None = None
-    elements: int | None = None
-    solver: str | None = None
-    frequencies_rad_s: Frequencies
-    node_counts: list[int]
-    nodes_m: list[list[Finite]]
-
-
-class Headline(_Table):
-    """The figures to quote, and what they are figures of. The band is null while the model's own is not known."""
-
-    medium: str
-    theory: str
-    frequencies_hz: Frequencies
-    band: None = None
-
-
-class DistortionRecord(_Table):
-    """How the modes differ from the uniform beam's."""
-
-    weights: list[list[Finite]]
-    diagonal_dominance: list[Finite | None]
-    nondimensional_frequencies: Frequencies
-    node_shifts_m: list[list[Finite] | None]
-    antinode_shifts_m: list[list[Finite] | None]
-    energy_bounds_m: list[Finite]
-    kinetic_energy_shares: list[list[Finite]]
-    strain_energy_shares: list[list[Finite]]
-    mass_correlation: list[Finite]
-    rigidity_correlation: list[Finite]
-
-
-class WeightRecord(_Table):
-    """One weight: its mass and the x of its centre."""
-
-    name: str
-    mass_kg: Finite
-    centre_m: Finite | None
-
-
-class ConditionRecord(_Table):
-    """One loading condition."""
-
-    label: str
-    mass_kg: Finite
-    lcg_m: Finite
-    displacement_kg: Finite
-    draughts: dict[str, Finite]
-    weights: list[WeightRecord]
-    hydrostatics: dict[str, Finite]
-    checks: list[CheckRecord]
-    doubts: list[str]
-    dry_rad_s: dict[str, Frequencies]
-    empirical_rad_s: dict[str, Frequencies]
-    empirical_inputs: dict[str, Finite]
-    headline: Headline
-    solutions: list[Solution]
-    convergence: dict[str, dict[str, Frequencies]]
-    distortion: DistortionRecord
-
-
-class Results(_Table):
-    """The whole file."""
-
-    model_config = ConfigDict(extra="forbid", validate_by_name=True, validate_by_alias=True)
-
-    schema_number: Annotated[Literal[1], Field(alias="schema")]
-    provenance: Provenance
-    ship: dict[str, Any]
-    hull: HullRecord
-    structure: StructureRecord
-    checks: list[CheckRecord]
-    doubts: list[str]
-    conditions: dict[str, ConditionRecord]
 
 
 def results_of(run: Run) -> Results:
@@ -197,11 +52,6 @@ def write_results(run: Run, path: Path) -> None:
     """Write a run's results.json."""
     document = results_of(run).model_dump(mode="json", by_alias=True)
     path.write_text(json.dumps(document, indent=1, allow_nan=False) + "\n", encoding="utf-8")
-
-
-def json_schema() -> dict[str, Any]:
-    """The JSON schema of results.json, as shipped beside this module."""
-    return Results.model_json_schema(mode="serialization")
 
 
 def _provenance(run: Run) -> Provenance:

@@ -5,7 +5,6 @@ Every fault of a file is listed at once with its path; unknown keys are refused 
 
 from __future__ import annotations
 
-import difflib
 import itertools
 import tomllib
 from pathlib import Path
@@ -22,6 +21,7 @@ from pydantic import (
 )
 
 from hullform.errors import ShipFileError
+from hullform.ship_faults import fault_line
 
 # One alias for each kind of number: the one place where a number may later carry an uncertainty.
 Number = Annotated[float, Field(allow_inf_nan=False)]
@@ -44,23 +44,6 @@ ShipType = Literal[
     "passenger",
     "frigate",
 ]
-
-# Keys that the format keeps for later: refused by name, so that nobody believes that they count.
-RESERVED = {
-    "body_plan": {"mesh", "offsets", "aft_station_names", "fore_station_names", "station_names"},
-    "hull": {"sections"},
-    "structure": {"midship_shear_area_m2"},
-    "conditions": {"items", "draught_aft_m", "draught_fore_m"},
-    "water": {"depth_m"},
-    "": {"excitation", "operation"},
-}
-
-
-HOW_TO_FIND = {
-    "aft_perpendicular_m": "the length between perpendiculars differs from the length overall, so give the x of "
-    "the aft perpendicular from the aft end",
-    "schema": "begin the file with schema = 1",
-}
 
 
 class _Table(BaseModel):
@@ -307,49 +290,8 @@ def read_ship(path: str | Path) -> Ship:
     try:
         ship = Ship.model_validate(document)
     except ValidationError as error:
-        faults = [_fault(fault, document) for fault in error.errors()]
+        faults = [fault_line(fault, Ship) for fault in error.errors()]
         raise ShipFileError("\n".join(f"{path}: {fault}" for fault in faults)) from None
     ship._path = path
     ship.body_plan._folder = path.parent
     return ship
-
-
-def _fault(fault: Any, document: dict[str, Any]) -> str:
-    """One line for one fault: where, which value, what to do."""
-    places = list(fault["loc"])
-    where = ".".join(str(place) for place in places) or "the file"
-    kind = fault["type"]
-    if kind == "extra_forbidden":
-        return f"{where}: {_unknown_key(places)}"
-    if kind == "missing":
-        return f"{where}: is missing; {HOW_TO_FIND.get(str(places[-1]), 'add it')}"
-    message = fault["msg"].removeprefix("Value error, ")
-    if kind == "value_error":
-        return f"{where}: {message}"
-    return f"{where} = {fault['input']!r}: {message[0].lower()}{message[1:]}"
-
-
-def _unknown_key(places: list[Any]) -> str:
-    keys = [str(place) for place in places if isinstance(place, str)]
-    key, table = keys[-1], keys[0] if len(keys) > 1 else ""
-    if key in RESERVED.get(table, set()):
-        return "is reserved for a later version and has no effect yet; remove it"
-    model: type[BaseModel] = Ship
-    for name in keys[:-1]:
-        model = _tables_of(model)[name]
-    known = [field.alias or name for name, field in model.model_fields.items()]
-    near = difflib.get_close_matches(key, known, n=1)
-    return f"unknown key; did you mean '{near[0]}'?" if near else f"unknown key; known here: {', '.join(known)}"
-
-
-def _tables_of(model: type[BaseModel]) -> dict[str, type[BaseModel]]:
-    """The tables within a table, by their names in the file."""
-    found: dict[str, type[BaseModel]] = {}
-    for name, field in model.model_fields.items():
-        stack: list[Any] = [field.annotation]
-        while stack:
-            annotation = stack.pop()
-            if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-                found[field.alias or name] = annotation
-            stack += getattr(annotation, "__args__", ())
-    return found

@@ -7,7 +7,7 @@ from importlib.resources import files
 
 from jsonschema import Draft202012Validator
 
-from hullform.results import json_schema
+from hullform.records import json_schema
 
 
 def test_the_shipped_schema_is_current() -> None:
