@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -39,12 +38,3 @@ def finished_run(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Fi
         return known[ship]
 
     return run
-
-
-@pytest.fixture
-def shared() -> Path:
-    """Reference data from outside the project; tests that read it are skipped where it is absent."""
-    folder = Path(os.environ.get("HULLFORM_SHARED", ROOT / ".." / "shared"))
-    if not folder.is_dir():
-        pytest.skip(f"no reference data at {folder}; name their folder in HULLFORM_SHARED")
-    return folder

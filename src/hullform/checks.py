@@ -1,4 +1,4 @@
-"""Does she float right? Plausibility checks of a ship and of each loading condition, with limits and remedies.
+"""Does she float right, and is she a ship at all? Plausibility checks with limits and remedies.
 
 Nothing here bends a result: a check that fails is shown in red, and the run ends with exit code 3.
 """
@@ -8,17 +8,22 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from hullform.hull.hydrostatics import Hydrostatics
-from hullform.loading.watson import Estimate
+from hullform.loading import watson
 from hullform.rounding import short, significant
 from hullform.ship import Particulars
+from hullvib.plausibility import frequency_limits_hz
 
 # Reading, fitting and lofting together are good to some tenths of a per cent; ten times that is a fault somewhere.
 DISPLACEMENT_LIMIT_PERCENT = 1.0
 BLOCK_COEFFICIENT_LIMIT_PERCENT = 1.0
 LCB_LIMIT_PERCENT_LPP = 0.5
+# The mesh's facets lie inside curved sections: that costs some 1e-4 of the volume.
+MESH_LIMIT_PERCENT = 0.1
 # Trim beyond which 'on even keel' is no description of the ship (by the stern, by the bow).
 TRIM_BY_STERN_LIMIT_PERCENT_LPP = 1.5
 TRIM_BY_BOW_LIMIT_PERCENT_LPP = 0.5
+# A shell of the given thickness stands for stiffeners, decks and bottom too: two to four times is usual.
+THICKNESS_FACTOR_LIMITS = (0.5, 6.0)
 
 
 @dataclass(frozen=True)
@@ -29,7 +34,7 @@ class Check:
         id: a short name that programs may rely on.
         title: what is compared, in words.
         value: the figure found.
-        limit: the figure that it must not exceed in size (or reach, see the title).
+        limit: the figure that it must not pass: the nearer one, where there are two.
         unit: of both.
         ok: whether it holds.
         remedy: what to look at where it does not.
@@ -46,13 +51,21 @@ class Check:
     @property
     def doubt(self) -> str:
         """One sentence for the list of doubts."""
-        return (
-            f"{self.title}: {significant(self.value)} {self.unit}, limit {short(self.limit)} {self.unit}; {self.remedy}"
-        )
+        unit = f" {self.unit}" if self.unit else ""
+        return f"{self.title}: {significant(self.value)}{unit}, limit {short(self.limit)}{unit}; {self.remedy}"
+
+
+def _within(
+    id: str, title: str, value: float, limits: tuple[float, float], unit: str, remedy: str, usual: float
+) -> Check:
+    """A value between two limits; the one on its side of the usual figure is shown."""
+    low, high = limits
+    limit = low if value < usual else high
+    return Check(id, title, value, limit, unit, low <= value <= high, remedy)
 
 
 def _deviation(id: str, title: str, value: float, limit: float, unit: str, remedy: str) -> Check:
-    return Check(id, title, value, limit, unit, abs(value) <= limit, remedy)
+    return _within(id, title, value, (-limit, limit), unit, remedy, usual=0.0)
 
 
 def checks_of_the_hull(particulars: Particulars, at_draught: Hydrostatics) -> tuple[Check, ...]:
@@ -66,7 +79,7 @@ def checks_of_the_hull(particulars: Particulars, at_draught: Hydrostatics) -> tu
                 100 * (at_draught.displacement_kg / 1e3 / particulars.displacement_t - 1),
                 DISPLACEMENT_LIMIT_PERCENT,
                 "%",
-                "check the picture's calibration, the station list and the draught",
+                "look at the overlay: check aft_side, the station list, the calibration and the draught",
             )
         )
     if particulars.block_coefficient is not None:
@@ -77,23 +90,79 @@ def checks_of_the_hull(particulars: Particulars, at_draught: Hydrostatics) -> tu
                 100 * (at_draught.block_coefficient / particulars.block_coefficient - 1),
                 BLOCK_COEFFICIENT_LIMIT_PERCENT,
                 "%",
-                "check the picture's calibration, the station list and the length between perpendiculars",
+                "look at the overlay: check aft_side, the station list, the calibration and the length between "
+                "perpendiculars",
             )
         )
     if particulars.lcb_from_midships_m is not None:
-        lcb_from_midships = at_draught.lcb_from_midships_m
         length = particulars.length_between_perpendiculars_m
         found.append(
             _deviation(
                 "given-lcb",
                 "centre of buoyancy read against [ship] lcb_from_midships_m",
-                100 * (lcb_from_midships - particulars.lcb_from_midships_m) / length,
+                100 * (at_draught.lcb_from_midships_m - particulars.lcb_from_midships_m) / length,
                 LCB_LIMIT_PERCENT_LPP,
                 "% of LPP",
                 "check that aft_side names the half that shows the aft body, and the station positions",
             )
         )
     return tuple(found)
+
+
+def check_mesh(mesh_volume_m3: float, section_volume_m3: float) -> Check:
+    """The mesh's volume against that of the sections."""
+    return _deviation(
+        "mesh-volume",
+        "volume of the mesh against that of the sections, to the deck",
+        100 * (mesh_volume_m3 / section_volume_m3 - 1),
+        MESH_LIMIT_PERCENT,
+        "%",
+        "the hull has sections that a mesh cannot follow: check the stations in the report",
+    )
+
+
+def check_thickness(factor: float, thickness_m: float) -> Check:
+    """The equivalent-thickness factor: what the given midship second moment makes of the shell."""
+    return _within(
+        "equivalent-thickness",
+        f"given midship second moment over that of the bare {1000 * thickness_m:g} mm shell",
+        factor,
+        THICKNESS_FACTOR_LIMITS,
+        "",
+        "check midship_second_moment_m4 (in m4) and shell_thickness_m (in m)",
+        usual=1.0,
+    )
+
+
+def check_light_ship(semi_concentrated_t: float, expected: watson.Estimate) -> Check:
+    """Light ship less steel against Watson's estimate of machinery and outfit: within a factor of two."""
+    return _within(
+        "light-ship",
+        f"light ship less steel, expected near {significant(expected.weight_t)} t of machinery and outfit (Watson)",
+        semi_concentrated_t,
+        (expected.lower_t, expected.upper_t),
+        "t",
+        "the given steel weight may hold the outfit, spread by girth instead of where it lies: "
+        "check steel_weight_t and semi_concentrated_weight_t",
+        usual=expected.weight_t,
+    )
+
+
+def check_steel_numeral(particulars: Particulars) -> Check | None:
+    """Whether Watson & Gilfillan had ships of this size behind their K; None where the table gives no range."""
+    limits = watson.TYPE_FIGURES[particulars.type].numeral_range_m2
+    if limits is None:
+        return None
+    return _within(
+        "steel-estimate",
+        f"Watson & Gilfillan's numeral, for the estimated steel weight, against the ships of type {particulars.type} "
+        "behind it",
+        watson.hull_numeral(particulars),
+        limits,
+        "m2",
+        "the estimate is extrapolated: give steel_weight_t",
+        usual=sum(limits) / 2,
+    )
 
 
 def check_displacement(mass_kg: float, at_draught: Hydrostatics) -> Check:
@@ -110,14 +179,14 @@ def check_displacement(mass_kg: float, at_draught: Hydrostatics) -> Check:
 
 def check_floating(mass_kg: float, capacity_kg: float, depth_m: float) -> Check:
     """The mass against what the hull displaces when immersed to her depth amidships."""
-    return Check(
+    return _within(
         "floats",
-        f"mass of this condition over the displacement at the depth {depth_m:g} m",
+        f"mass of this condition over the displacement at the depth {significant(depth_m)} m",
         100 * mass_kg / capacity_kg,
-        100 + DISPLACEMENT_LIMIT_PERCENT,
+        (0.0, 100 + DISPLACEMENT_LIMIT_PERCENT),
         "%",
-        mass_kg <= capacity_kg * (1 + DISPLACEMENT_LIMIT_PERCENT / 100),
         "she would sink: check the weights, the depth and the picture's calibration",
+        usual=0.0,
     )
 
 
@@ -128,32 +197,25 @@ def check_trim(lcg_m: float, floating: Hydrostatics) -> Check:
     BM_L stands for GM_L, some per cent more: the trim is an estimate.
     """
     lever = floating.lcb_x_m - lcg_m
-    trim_percent = 100 * lever / floating.bm_longitudinal_m
-    limit = TRIM_BY_STERN_LIMIT_PERCENT_LPP if trim_percent >= 0 else TRIM_BY_BOW_LIMIT_PERCENT_LPP
-    way = "stern" if trim_percent >= 0 else "bow"
-    return _deviation(
+    return _within(
         "trim",
-        f"trim by the {way} that the lever of {significant(abs(lever))} m between LCG and LCB would cause",
-        trim_percent,
-        limit,
+        f"trim, by the stern positive, that the lever of {significant(abs(lever))} m between LCG and LCB would cause",
+        100 * lever / floating.bm_longitudinal_m,
+        (-TRIM_BY_BOW_LIMIT_PERCENT_LPP, TRIM_BY_STERN_LIMIT_PERCENT_LPP),
         "% of LPP",
         "the frequencies are for even keel: spread the weights so that LCG meets LCB, or add ballast",
+        usual=0.0,
     )
 
 
-def check_light_ship(semi_concentrated_t: float, expected: Estimate) -> Check:
-    """Light ship less steel against Watson's estimate of machinery and outfit: within a factor of two."""
-    if semi_concentrated_t < expected.weight_t:
-        limit, ok = expected.lower_t, semi_concentrated_t >= expected.lower_t
-    else:
-        limit, ok = expected.upper_t, semi_concentrated_t <= expected.upper_t
-    return Check(
-        "light-ship",
-        f"light ship less steel, expected near {significant(expected.weight_t)} t of machinery and outfit (Watson)",
-        semi_concentrated_t,
-        limit,
-        "t",
-        ok,
-        "the given steel weight may hold the outfit, spread by girth instead of where it lies: "
-        "check steel_weight_t and semi_concentrated_weight_t",
+def check_frequency(first_hz: float, length_m: float) -> Check:
+    """The first frequency against what hulls of that length have: a wrong unit shows here."""
+    return _within(
+        "first-frequency",
+        f"first frequency against hulls of {length_m:g} m",
+        first_hz,
+        frequency_limits_hz(length_m),
+        "Hz",
+        "check the units of youngs_modulus_pa, midship_second_moment_m4 and the weights",
+        usual=sum(frequency_limits_hz(length_m)) / 20,
     )

@@ -6,42 +6,63 @@ Exit codes: 0 done; 1 the input is wrong; 2 usage; 3 done, with doubts; 130 inte
 from __future__ import annotations
 
 import argparse
+import os
+import signal
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from hullform.errors import HullformError
-from hullvib.errors import HullvibError
 
 DONE, WRONG_INPUT, DOUBTS, INTERRUPTED = 0, 1, 3, 130
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command; returns its exit code."""
+    # a run that is told to end goes the same way out as one that is interrupted, and tidies up
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     options = _parser().parse_args(arguments)
     command: Callable[[argparse.Namespace], int] = options.command
     try:
-        return command(options)
-    except (HullformError, HullvibError) as error:
-        _clear_progress()
-        print(error, file=sys.stderr)
-        return WRONG_INPUT
+        code = command(options)
+        sys.stdout.flush()
+        return code
+    except HullformError as error:
+        return _refuse(error)
     except KeyboardInterrupt:
         _clear_progress()
         print("interrupted; nothing was left half-written", file=sys.stderr)
         return INTERRUPTED
+    except BrokenPipeError:
+        # whoever read the output has gone; what is left of it goes nowhere, quietly
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return DONE
+    except OSError as error:
+        return _refuse(error)
+    except Exception as error:
+        from hullvib.errors import HullvibError
+
+        if isinstance(error, HullvibError):
+            return _refuse(error)
+        raise
+
+
+def _refuse(error: Exception) -> int:
+    _clear_progress()
+    print(error, file=sys.stderr)
+    return WRONG_INPUT
 
 
 def _run(options: argparse.Namespace) -> int:
     from hullform.files import check_replaceable
     from hullform.pipeline import run_ship
     from hullform.ship import read_ship
-    from hullform.summary import summary
+    from hullform.terminal import summary
     from hullform.writing import write_run
 
     ship = read_ship(options.ship)
     folder = options.output or ship.path.parent / "results"
-    check_replaceable(folder, (ship.path, ship.body_plan.image_path), options.force)
+    check_replaceable(folder, ship.files, options.force)
     run = run_ship(ship, _progress)
     write_run(run, folder, _progress)
     _clear_progress()
@@ -51,18 +72,21 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _trace(options: argparse.Namespace) -> int:
+    from hullform.files import refuse_inputs
     from hullform.offsets import write_offsets
     from hullform.picture.overlay import write_overlay
     from hullform.picture.reading import read_picture
     from hullform.ship import read_ship
 
     ship = read_ship(options.ship)
+    output = options.output or ship.path.parent / "offsets.csv"
+    for file in (output, options.overlay or output):
+        refuse_inputs(file, ship.files)
     _progress("reading the picture")
     reading = read_picture(ship)
-    output = options.output or ship.path.parent / "offsets.csv"
-    write_offsets(reading.body_plan, output)
     if options.overlay:
         write_overlay(reading, options.overlay)
+    write_offsets(reading.body_plan, output)
     _clear_progress()
     print(f"{len(reading.body_plan.stations)} stations: {output}")
     for note in reading.body_plan.notes:
@@ -71,16 +95,18 @@ def _trace(options: argparse.Namespace) -> int:
 
 
 def _mesh(options: argparse.Namespace) -> int:
+    from hullform.files import refuse_inputs
     from hullform.hull.mesh_files import export_mesh
-    from hullform.pipeline import loft, trace
+    from hullform.pipeline import hull_of, trace
     from hullform.ship import read_ship
 
     ship = read_ship(options.ship)
     output = options.output or ship.path.parent / "hull.stl"
+    refuse_inputs(output, ship.files)
     _progress("reading the picture")
     body_plan = trace(ship)
     _progress("fitting sections and lofting the hull")
-    hull = loft(ship, body_plan)
+    hull = hull_of(ship, body_plan)
     export_mesh(hull, output)
     _clear_progress()
     print(f"hull of {hull.volume_m3:.6g} m3 to the deck: {output}")
@@ -88,24 +114,32 @@ def _mesh(options: argparse.Namespace) -> int:
 
 
 def _girder(options: argparse.Namespace) -> int:
-    from hullform.pipeline import girder_of, loft, trace
+    from hullform.afloat import load_ship
+    from hullform.files import refuse_inputs
+    from hullform.pipeline import hull_of, trace
     from hullform.ship import read_ship
     from hullvib.girder_files import write_girder
 
     ship = read_ship(options.ship)
-    ship.require_condition(options.condition)
+    wanted = ship.require_condition(options.condition)
+    ship.require_sections_of_a_run()
     output = options.output or ship.path.parent / f"girder-{options.condition}.json"
+    refuse_inputs(output, ship.files)
     _progress("reading the picture")
     body_plan = trace(ship)
-    hull = loft(ship, body_plan)
-    girder = girder_of(ship, hull, options.condition)
+    hull = hull_of(ship, body_plan)
+    afloat = load_ship(ship, hull)
+    (condition,) = (found for found in afloat.conditions if found.condition is wanted)
+    girder = condition.girder
     write_girder(girder, output)
     _clear_progress()
     print(f"girder of {girder.total_mass / 1e3:.6g} t over {girder.length:g} m: {output}")
-    return _doubts((*body_plan.doubts, *hull.doubts))
+    failed = [check.doubt for check in (*afloat.checks, *condition.checks) if not check.ok]
+    return _doubts((*body_plan.doubts, *hull.doubts, *failed))
 
 
 def _doubts(doubts: Sequence[str]) -> int:
+    sys.stdout.flush()
     for doubt in doubts:
         print(f"doubt: {doubt}", file=sys.stderr)
     return DOUBTS if doubts else DONE
@@ -138,7 +172,7 @@ def _parser() -> argparse.ArgumentParser:
 
     run = add("run", _run, "from the picture to frequencies, with a report")
     run.add_argument("-o", "--output", type=Path, metavar="DIR", help="default: results beside SHIP.toml")
-    run.add_argument("--force", action="store_true", help="replace DIR even where its files are not ours")
+    run.add_argument("--force", action="store_true", help="replace DIR and all it holds, even what no run wrote")
     trace = add("trace", _trace, "read the stations' curves out of the picture into an offsets table")
     trace.add_argument("-o", "--output", type=Path, metavar="FILE", help="default: offsets.csv beside SHIP.toml")
     trace.add_argument("--overlay", type=Path, metavar="FILE", help="also draw what was read over the picture")

@@ -26,7 +26,7 @@ class EmpiricalFigures:
     inputs: Mapping[str, float]
 
 
-def empirical_figures(ship: Ship, structure: Structure, displacement_t: float, draught_m: float) -> EmpiricalFigures:
+def in_water_figures(ship: Ship, structure: Structure, displacement_t: float, draught_m: float) -> EmpiricalFigures:
     """Todd and Schlick as the paper has them (length overall), Kumai and Burrill with LPP and the midship I.
 
     Args:
@@ -40,7 +40,7 @@ def empirical_figures(ship: Ship, structure: Structure, displacement_t: float, d
     length = ship.empirical.length_m or of_ship.length_overall_m
     perpendiculars = of_ship.length_between_perpendiculars_m
     breadth, depth = of_ship.breadth_m, of_ship.depth_m
-    midship = structure.thickness_factor * structure.midship_shell_second_moment_m4
+    midship = structure.midship_second_moment_m4
     box = empirical.hollow_box_second_moment(breadth, depth, given.shell_thickness_m)
     exponent = empirical.KUMAI_EXPONENTS[KUMAI_KINDS.get(of_ship.type, "cargo")]
 

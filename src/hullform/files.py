@@ -7,11 +7,14 @@ import os
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
+from fnmatch import fnmatch
 from pathlib import Path
 
 from hullform.errors import OutputError
 
 RESULTS_NAME = "results.json"
+# Everything that a run writes into its folder.
+RESULT_NAMES = (RESULTS_NAME, "report.html", "hull.stl", "offsets.csv", "girder-*.json", "figures")
 PROGRAM = "hullform"
 
 
@@ -38,12 +41,23 @@ def whole_file(path: Path) -> Iterator[Path]:
         aside.unlink(missing_ok=True)
 
 
+def refuse_inputs(output: Path, inputs: tuple[Path, ...]) -> None:
+    """Refuse to write a file over one that the command reads.
+
+    Raises:
+        OutputError: names the file.
+    """
+    for path in inputs:
+        if output.resolve() == path.resolve():
+            raise OutputError(f"{output}: is what this command reads; choose another file with -o")
+
+
 def check_replaceable(folder: Path, inputs: tuple[Path, ...], force: bool) -> None:
-    """Refuse to write results over a folder that is not ours, before any work is done.
+    """Refuse to write results over a folder that holds anything but results, before any work is done.
 
     Args:
         folder: where results will go.
-        inputs: files that the run reads; a folder that holds one is never replaced.
+        inputs: files that the run reads; a folder that holds one is never replaced, nor is one under version control.
         force: replace a folder of others too.
 
     Raises:
@@ -57,10 +71,13 @@ def check_replaceable(folder: Path, inputs: tuple[Path, ...], force: bool) -> No
         return
     if not folder.is_dir():
         raise OutputError(f"{folder}: is a file; choose a folder with -o")
-    if not force and any(folder.iterdir()) and not _is_ours(folder):
+    if (folder / ".git").exists():
+        raise OutputError(f"{folder}: is under version control and is not replaced; choose another folder with -o")
+    foreign = _foreign_names(folder)
+    if foreign and not force:
         raise OutputError(
-            f"{folder}: holds files that are not results of ours; choose another folder with -o, "
-            "or replace it whole with --force"
+            f"{folder}: holds {', '.join(foreign[:3])}{' and more' if len(foreign) > 3 else ''}, which no run wrote; "
+            "move that away, choose another folder with -o, or replace the folder and all it holds with --force"
         )
 
 
@@ -84,15 +101,24 @@ def whole_folder(folder: Path) -> Iterator[Path]:
             folder.replace(old)
         aside.replace(folder)
     except OSError as error:
-        if old.exists() and not folder.exists():
-            old.replace(folder)
         raise OutputError(f"{folder}: cannot be written ({error.strerror}); choose another place with -o") from None
     finally:
+        # interrupted between the two renames, the old results go back to their place
+        if old.exists() and not folder.exists():
+            old.replace(folder)
         shutil.rmtree(aside, ignore_errors=True)
         shutil.rmtree(old, ignore_errors=True)
 
 
-def _is_ours(folder: Path) -> bool:
+def _foreign_names(folder: Path) -> list[str]:
+    """What a folder holds that no run wrote; everything, where it holds no results.json of ours."""
+    names = sorted(path.name for path in folder.iterdir())
+    if names and not _holds_our_results(folder):
+        return names
+    return [name for name in names if not any(fnmatch(name, pattern) for pattern in RESULT_NAMES)]
+
+
+def _holds_our_results(folder: Path) -> bool:
     try:
         document = json.loads((folder / RESULTS_NAME).read_text(encoding="utf-8"))
     except (OSError, ValueError):

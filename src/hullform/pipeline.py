@@ -9,15 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform import checks
+from hullform.afloat import ConditionAfloat, ShipAfloat, load_ship
 from hullform.body_plan import BodyPlan
-from hullform.empirical_figures import empirical_figures
-from hullform.hull.hydrostatics import Hydrostatics
+from hullform.empirical_figures import in_water_figures
 from hullform.hull.loft import Hull
-from hullform.loading.distributions import Distribution, girder_from
-from hullform.loading.structure import Structure, shell_structure
-from hullform.loading.weights import KG_PER_T, LightShip, condition_items, light_ship
+from hullform.loading.weights import KG_PER_T
 from hullform.outcome import ConditionRun, Distortion, Run
-from hullform.ship import ConditionInput, Ship
+from hullform.ship import Ship
 from hullvib import distortion
 from hullvib.finite_elements import FiniteElements
 from hullvib.girder import Girder
@@ -33,8 +31,6 @@ RITZ_FUNCTIONS = 12
 ELEMENTS = 100
 CONVERGENCE = range(4, 13)
 CONVERGENCE_MODES = 3
-# The condition that sails at the design draught.
-LOADED = "loaded"
 
 
 def trace(ship: Ship) -> BodyPlan:
@@ -48,7 +44,7 @@ def trace(ship: Ship) -> BodyPlan:
     return read_picture(ship).body_plan
 
 
-def loft(ship: Ship, body_plan: BodyPlan) -> Hull:
+def hull_of(ship: Ship, body_plan: BodyPlan) -> Hull:
     """The hull through a body plan's stations.
 
     Raises:
@@ -58,16 +54,15 @@ def loft(ship: Ship, body_plan: BodyPlan) -> Hull:
 
 
 def girder_of(ship: Ship, hull: Hull, condition: str) -> Girder:
-    """The girder of one loading condition of a ship.
+    """The girder of one loading condition of a ship; `load_ship` has it with its checks.
 
     Raises:
         ShipFileError: the ship has no such condition, or no [structure] or [weights].
-        LoadingError: weights or structure that cannot be.
+        LoadingError: weights or a structure that cannot be.
     """
-    given, _, _ = ship.require_sections_of_a_run()
-    structure = shell_structure(hull, given)
-    light = _light_ship(ship, hull, structure, _at_draught(ship, hull))
-    return _girder(ship, hull, structure, ship.require_condition(condition), light)[1]
+    wanted = ship.require_condition(condition)
+    (afloat,) = (found for found in load_ship(ship, hull).conditions if found.condition is wanted)
+    return afloat.girder
 
 
 def run_ship(ship: Ship, progress: Progress = lambda step: None) -> Run:
@@ -82,7 +77,7 @@ def run_ship(ship: Ship, progress: Progress = lambda step: None) -> Run:
     """
     from hullform.picture.reading import read_picture
 
-    given, weights, conditions = ship.require_sections_of_a_run()
+    ship.require_sections_of_a_run()
     seconds: dict[str, float] = {}
     clock = time.perf_counter()
 
@@ -95,78 +90,40 @@ def run_ship(ship: Ship, progress: Progress = lambda step: None) -> Run:
     reading = read_picture(ship)
     finished("picture")
     progress("fitting sections and lofting the hull")
-    hull = loft(ship, reading.body_plan)
-    at_draught = _at_draught(ship, hull)
+    hull = hull_of(ship, reading.body_plan)
+    mesh = checks.check_mesh(float(hull.mesh().volume), hull.volume_m3)
     finished("hull")
     progress("structure and weights")
-    structure = shell_structure(hull, given)
-    light = _light_ship(ship, hull, structure, at_draught)
+    afloat = load_ship(ship, hull)
     finished("loading")
     runs = {}
-    for condition in conditions:
-        progress(f"frequencies: {condition.title}")
-        runs[condition.name] = _run_condition(ship, hull, structure, at_draught, light, condition)
+    for condition in afloat.conditions:
+        progress(f"frequencies: {condition.condition.title}")
+        runs[condition.condition.name] = _vibrate(ship, afloat, condition)
     finished("frequencies")
     return Run(
         ship=ship,
         reading=reading,
         hull=hull,
-        at_draught=at_draught,
-        structure=structure,
-        light=light,
-        checks=(
-            *checks.checks_of_the_hull(ship.particulars, at_draught),
-            checks.check_light_ship(weights.semi_concentrated_weight_t, light.machinery_and_outfit_estimate),
-        ),
+        at_draught=afloat.at_draught,
+        structure=afloat.structure,
+        light=afloat.light,
+        checks=(*afloat.checks, mesh),
         conditions=runs,
         seconds=seconds,
     )
 
 
-def _at_draught(ship: Ship, hull: Hull) -> Hydrostatics:
-    return hull.hydrostatics(ship.particulars.draught_m, ship.water.density_kg_m3)
-
-
-def _light_ship(ship: Ship, hull: Hull, structure: Structure, at_draught: Hydrostatics) -> LightShip:
-    _, weights, _ = ship.require_sections_of_a_run()
-    return light_ship(
-        weights,
-        hull,
-        structure,
-        ship.particulars,
-        at_draught.block_coefficient,
-        at_draught.displacement_kg / KG_PER_T,
-    )
-
-
-def _girder(
-    ship: Ship, hull: Hull, structure: Structure, condition: ConditionInput, light: LightShip
-) -> tuple[tuple[Distribution, ...], Girder]:
-    items = condition_items(condition, light, hull, ship.particulars.draught_m)
-    name = f"{ship.particulars.name}, {condition.title}"
-    return items, girder_from(name, items, structure.x_m, structure.flexural_rigidity)
-
-
-def _run_condition(
-    ship: Ship, hull: Hull, structure: Structure, at_draught: Hydrostatics, light: LightShip, condition: ConditionInput
-) -> ConditionRun:
-    items, girder = _girder(ship, hull, structure, condition, light)
-    mass = girder.total_mass
-    density = ship.water.density_kg_m3
-    capacity = hull.hydrostatics(hull.depth_amidships_m, density).displacement_kg
-    floats = checks.check_floating(mass, capacity, hull.depth_amidships_m)
-    draught = hull.depth_amidships_m if mass > capacity else hull.draught_for(mass, density)
-    floating = hull.hydrostatics(draught, density)
-    found = [floats, checks.check_trim(girder.centre_of_gravity, floating)]
-    if condition.name == LOADED:
-        found.insert(0, checks.check_displacement(mass, at_draught))
+def _vibrate(ship: Ship, afloat: ShipAfloat, condition: ConditionAfloat) -> ConditionRun:
+    girder, floating = condition.girder, condition.floating
     modes = solve(girder, Ritz(functions=RITZ_FUNCTIONS), modes=MODES)
+    frequency = checks.check_frequency(float(modes.frequencies_hz[0]), girder.length)
     return ConditionRun(
-        condition=condition,
-        items=items,
+        condition=condition.condition,
+        items=condition.items,
         girder=girder,
         floating=floating,
-        checks=tuple(found),
+        checks=(*condition.checks, frequency),
         solutions={
             "ritz": modes,
             "ritz_elastic_only": solve(girder, Ritz(functions=RITZ_FUNCTIONS, rigid_body=False), modes=MODES),
@@ -175,7 +132,7 @@ def _run_condition(
         convergence_rad_s=_convergence(girder, rigid_body=True),
         elastic_only_convergence_rad_s=_convergence(girder, rigid_body=False),
         distortion=_distortion(modes),
-        empirical=empirical_figures(ship, structure, mass / KG_PER_T, draught),
+        empirical=in_water_figures(ship, afloat.structure, girder.total_mass / KG_PER_T, floating.draught_m),
     )
 
 

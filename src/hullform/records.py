@@ -80,6 +80,17 @@ class StructureRecord(_Table):
     second_moment_m4: list[Finite]
 
 
+class LightShipRecord(_Table):
+    """Steel as given or estimated, and what Watson would expect of steel, machinery and outfit, with ranges."""
+
+    steel_weight_t: Finite
+    steel_given: bool
+    steel_estimate_t: Finite
+    steel_estimate_range_t: tuple[Finite, Finite]
+    machinery_and_outfit_estimate_t: Finite | None
+    machinery_and_outfit_range_t: tuple[Finite, Finite] | None
+
+
 class Solution(_Table):
     """Frequencies by one method."""
 
@@ -158,6 +169,7 @@ class Results(_Table):
     ship: dict[str, Any]
     hull: HullRecord
     structure: StructureRecord
+    light_ship: LightShipRecord
     checks: list[CheckRecord]
     doubts: list[str]
     conditions: dict[str, ConditionRecord]

@@ -24,6 +24,7 @@ from hullform.records import (
     Frequencies,
     Headline,
     HullRecord,
+    LightShipRecord,
     Provenance,
     Results,
     Solution,
@@ -42,6 +43,7 @@ def results_of(run: Run) -> Results:
         ship=run.ship.particulars.model_dump(mode="json", exclude_none=True),
         hull=_hull(run),
         structure=_structure(run),
+        light_ship=_light_ship(run),
         checks=_checks(run.checks),
         doubts=list(run.doubts),
         conditions={name: _condition(condition) for name, condition in run.conditions.items()},
@@ -119,6 +121,19 @@ def _structure(run: Run) -> StructureRecord:
         area_m2=structure.area_m2.tolist(),
         neutral_axis_m=structure.neutral_axis_m.tolist(),
         second_moment_m4=structure.second_moment_m4.tolist(),
+    )
+
+
+def _light_ship(run: Run) -> LightShipRecord:
+    light = run.light
+    steel, rest = light.steel_estimate, light.machinery_and_outfit_estimate
+    return LightShipRecord(
+        steel_weight_t=light.steel_weight_t,
+        steel_given=light.steel_given,
+        steel_estimate_t=steel.weight_t,
+        steel_estimate_range_t=(steel.lower_t, steel.upper_t),
+        machinery_and_outfit_estimate_t=None if rest is None else rest.weight_t,
+        machinery_and_outfit_range_t=None if rest is None else (rest.lower_t, rest.upper_t),
     )
 
 

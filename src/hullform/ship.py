@@ -24,10 +24,12 @@ from hullform.errors import ShipFileError
 from hullform.ship_faults import fault_line
 
 # One alias for each kind of number: the one place where a number may later carry an uncertainty.
-Number = Annotated[float, Field(allow_inf_nan=False)]
-Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
-NotNegative = Annotated[float, Field(ge=0, allow_inf_nan=False)]
-Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
+Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+Positive = Annotated[float, Field(strict=True, gt=0, allow_inf_nan=False)]
+NotNegative = Annotated[float, Field(strict=True, ge=0, allow_inf_nan=False)]
+Share = Annotated[float, Field(strict=True, ge=0, le=1, allow_inf_nan=False)]
+# A shell is thin where its mid-line may stand for it; no ship has a mean plate of a decimetre.
+ShellThickness = Annotated[float, Field(strict=True, gt=0, le=0.1, allow_inf_nan=False)]
 Half = Literal["aft", "fore"]
 Side = Literal["left", "right"]
 ShipType = Literal[
@@ -167,7 +169,7 @@ class StructureInput(_Table):
     youngs_modulus_pa: Positive = 2.06e11
     poissons_ratio: Annotated[float, Field(ge=0, lt=0.5)] = 0.3
     density_kg_m3: Positive = 7850.0
-    shell_thickness_m: Positive = 0.016
+    shell_thickness_m: ShellThickness = 0.016
     midship_second_moment_m4: Positive | None = None
 
 
@@ -241,6 +243,11 @@ class Ship(_Table):
         """The file that was read."""
         return self._path
 
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """What is read: ship.toml and the picture."""
+        return (self._path, self.body_plan.image_path)
+
     def require_condition(self, name: str) -> ConditionInput:
         """The loading condition of that name.
 
@@ -278,13 +285,15 @@ def read_ship(path: str | Path) -> Ship:
     """
     path = Path(path)
     try:
-        document = tomllib.loads(path.read_text(encoding="utf-8"))
+        document = tomllib.loads(path.read_text(encoding="utf-8-sig"))
     except FileNotFoundError:
         raise ShipFileError(f"{path}: no such file; give the path of a ship.toml") from None
     except IsADirectoryError:
         raise ShipFileError(f"{path}: is a folder; give the ship.toml in it") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise ShipFileError(f"{path}: cannot be read ({error}); it must be a UTF-8 text file") from None
+    except UnicodeDecodeError:
+        raise ShipFileError(f"{path}: is no text file in UTF-8; give the ship.toml, not the picture") from None
+    except OSError as error:
+        raise ShipFileError(f"{path}: cannot be read ({error.strerror}); check its permissions") from None
     except tomllib.TOMLDecodeError as error:
         raise ShipFileError(f"{path}: is no TOML: {error}") from None
     try:

@@ -12,6 +12,7 @@ from hullvib.finite_elements import FiniteElements
 from hullvib.girder import Girder
 from hullvib.girder_files import parse_girder, read_girder
 from hullvib.modes import Modes
+from hullvib.plausibility import implausible
 from hullvib.ritz import Ritz
 from hullvib.solving import solve
 
@@ -37,22 +38,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"hullvib: warning: {warning}", file=sys.stderr)
     print(json.dumps(solution_record(modes), indent=2, allow_nan=False) if options.json else _table(modes))
     return 0
-
-
-def implausible(modes: Modes) -> list[str]:
-    """Sentences on a first frequency that no hull has: the number, the limit, the remedy.
-
-    Of ships, f1 L is some 100 to 600 m/s. A mass table in tonnes raises it, and a rigidity in kN m^2 lowers it,
-    thirtyfold; the limits lie between. Lengths below 30 m may be models and test beams and get wider limits.
-    """
-    length, first = modes.girder.length, float(modes.frequencies_hz[0])
-    lowest, highest = (30.0 / length, 3000.0 / length) if length >= 30.0 else (0.05, 50.0)
-    if lowest <= first <= highest:
-        return []
-    return [
-        f"the first frequency is {first:.3g} Hz, outside {lowest:.2g} .. {highest:.2g} Hz where hulls of "
-        f"{length:.4g} m lie; check the units: mass in kg/m (not t/m), flexural rigidity in N m^2 (not kN m^2), x in m."
-    ]
 
 
 def solution_record(modes: Modes) -> dict[str, object]:

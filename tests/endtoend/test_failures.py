@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import cv2
@@ -107,3 +109,43 @@ def test_usage_errors_end_with_two() -> None:
 def test_an_unknown_mesh_format(ship: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["mesh", str(ship), "-o", str(ship.parent / "hull.xyz")]) == 1
     assert ".stl" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("output", ["ship.toml", "bodyplan.png"])
+@pytest.mark.parametrize("command", [["trace"], ["mesh"], ["girder", "--condition", "loaded"]])
+def test_no_command_writes_over_what_it_reads(
+    ship: Path, capsys: pytest.CaptureFixture[str], output: str, command: list[str]
+) -> None:
+    before = (ship.parent / output).read_bytes()
+    assert main([command[0], str(ship), *command[1:], "-o", str(ship.parent / output)]) == 1
+    assert "is what this command reads" in capsys.readouterr().err
+    assert (ship.parent / output).read_bytes() == before
+
+
+def test_a_modulus_in_gigapascal_is_a_doubt(ship: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    text = ship.read_text(encoding="utf-8").replace("[structure]", "[structure]\nyoungs_modulus_pa = 206.0\n#")
+    ship.write_text(text, encoding="utf-8")
+    assert main(["run", str(ship), "-o", str(tmp_path / "out")]) == 3
+    said = capsys.readouterr()
+    assert "first frequency against hulls of 100 m" in said.err
+    assert "loaded *" in said.out
+
+
+def test_girder_tells_the_doubts_of_its_condition(ship: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    spoil(ship, "deadweight_t = 1597.2", "deadweight_t = 9000.0")
+    assert main(["girder", str(ship), "--condition", "loaded"]) == 3
+    assert "she would sink" in capsys.readouterr().err
+    assert main(["girder", str(ship), "--condition", "light-ship"]) == 0
+
+
+def test_a_reader_that_goes_away_is_no_error(ship: Path) -> None:
+    command = Path(sys.executable).parent / "hullform"
+    ran = subprocess.run(
+        f"'{command}' trace '{ship}' -o '{ship.parent}/o.csv' | true; exit ${{PIPESTATUS[0]}}",
+        shell=True,
+        executable="/bin/bash",
+        capture_output=True,
+        text=True,
+    )
+    assert ran.stderr == ""
+    assert ran.returncode == 0

@@ -20,6 +20,12 @@ from hullvib.girder_files import read_girder
 ROOT = Path(__file__).parent.parent.parent
 SHIPS = ("scim-containership", "ds-tanker", "wigley")
 PAPER_SHIPS = SHIPS[:2]
+CONDITIONS = [
+    (ship, condition.name)
+    for ship in SHIPS
+    for condition in read_ship(ROOT / "bodyplans" / ship / "ship.toml").conditions
+]
+SLOWEST = ("ds-tanker", "light-ship")
 Runs = Callable[[str], Any]
 
 
@@ -39,18 +45,43 @@ def test_results_keep_to_the_schema(finished_run: Runs, ship: str) -> None:
     Draft202012Validator(schema).validate(finished_run(ship).results)
 
 
-@pytest.mark.parametrize("ship", SHIPS)
-def test_ritz_and_finite_elements_agree(finished_run: Runs, ship: str) -> None:
-    for name, condition in finished_run(ship).results["conditions"].items():
-        dry = condition["dry_rad_s"]
-        ritz, elements = np.array(dry["ritz"][:3]), np.array(dry["finite_element"][:3])
-        # Both are upper bounds. On EI linear between a hundred stations, with jumps of mass, twelve smooth functions
-        # are good to a few tenths of a per cent. The light tanker carries her deck machinery, 54 t/m, out to a stem tip
-        # whose EI is below a hundredth of midships: there the third mode bends where smooth functions cannot follow,
-        # and N = 12 is 0.62 % high (N = 16 is 0.47 %, N = 24 is 0.18 %).
-        limit = 0.0065 if (ship, name) == ("ds-tanker", "light-ship") else 0.005
-        assert np.abs(ritz / elements - 1).max() <= limit, name
-        assert (ritz >= elements * (1 - 1e-6)).all(), name
+@pytest.mark.parametrize(
+    ("ship", "condition"),
+    [
+        pytest.param(
+            *which,
+            marks=pytest.mark.xfail(
+                condition=which == SLOWEST,
+                raises=AssertionError,
+                strict=True,
+                reason="mode 3 is 0.618 % high with 12 functions: the light tanker carries her deck machinery, 54 t/m, "
+                "out to a stem tip whose EI is below a hundredth of midships, where smooth functions cannot follow",
+            ),
+        )
+        for which in CONDITIONS
+    ],
+)
+def test_ritz_and_finite_elements_agree(finished_run: Runs, ship: str, condition: str) -> None:
+    dry = finished_run(ship).results["conditions"][condition]["dry_rad_s"]
+    # EI is linear between a hundred stations and mass jumps: a few tenths of a per cent for twelve smooth functions
+    np.testing.assert_allclose(dry["ritz"][:3], dry["finite_element"][:3], rtol=0.005)
+
+
+@pytest.mark.parametrize(("ship", "condition"), CONDITIONS)
+def test_ritz_lies_above_finite_elements(finished_run: Runs, ship: str, condition: str) -> None:
+    dry = finished_run(ship).results["conditions"][condition]["dry_rad_s"]
+    # both are upper bounds, and the elements' is the sharper by far: they err by 1e-5 at most
+    assert (np.array(dry["ritz"][:3]) >= np.array(dry["finite_element"][:3]) * (1 - 1e-6)).all()
+
+
+def test_the_light_tanker_takes_sixteen_functions(finished_run: Runs) -> None:
+    ship, condition = SLOWEST
+    run = finished_run(ship)
+    girder = read_girder(run.folder / f"girder-{condition}.json")
+    ritz = solve(girder, Ritz(functions=16), modes=3).angular_frequencies
+    elements = run.results["conditions"][condition]["dry_rad_s"]["finite_element"][:3]
+    # mode 3 is 0.468 % high with 16 functions, 0.618 % with 12
+    np.testing.assert_allclose(ritz, elements, rtol=0.005)
 
 
 @pytest.mark.parametrize("ship", SHIPS)

@@ -6,7 +6,8 @@ import pytest
 from hullvib import ArgumentError, empirical
 
 # Table 2, rows (a)-(d): Todd and Schlick, rad/s, as printed (the third is 4 N2). Lengths are overall, the tanker's is
-# 250 m, "ballast" is the light weight, and I_V that of a hollow rectangle B x D with 16 mm walls (paper-notes, 5.1).
+# 250 m, "ballast" is the light weight, and I_V that of a hollow rectangle B x D with 16 mm walls: the paper does not
+# say so, but these inputs give every printed digit.
 TABLE_2 = {
     "a, SCIM loaded": ((262.0, 32.2, 19.5, 74660.0), [6.14, 12.64, 24.56], [4.17, 9.93, 16.69]),
     "b, SCIM ballast": ((262.0, 32.2, 19.5, 16875.0), [10.72, 19.07, 42.88], [7.10, 14.12, 28.41]),
@@ -29,10 +30,10 @@ def test_all_printed_figures_of_table_2_to_the_last_digit(row):
 def test_the_formula_itself_has_three_times_the_first_for_the_third_mode():
     todd = empirical.todd(breadth=32.2, depth=19.5, length=262.0, displacement_t=74660.0)
     schlick = empirical.schlick(second_moment=117.468, length=262.0, displacement_t=74660.0)
-    # paper-notes 5.3, item 9
+    # worked by hand: 3 N2 of the unrounded first modes 6.1406 and 4.1728
     assert todd[2].round(2) == 18.42
     assert schlick[2].round(2) == 12.52
-    # formulas.md 1.3: Schlick with I0 = 253 m^4 gives 51.70 cpm
+    # worked by hand: I0 = 253 m^4 of Table 1 in the paper's section 3.2.2, 27.1e5 * 1.37267e-5 + 14.5 cpm
     wide = empirical.schlick(second_moment=253.0, length=262.0, displacement_t=74660.0)
     assert (wide[0] / RAD_S_PER_CPM).round(2) == 51.70
 
@@ -44,7 +45,7 @@ def test_the_tankers_own_length_misses_the_print():
 
 
 def test_hollow_box():
-    # paper-notes 5.1: SCIM 117.468, DS 188.854 m^4
+    # worked by hand: [B D^3 - (B - 2t)(D - 2t)^3] / 12
     assert empirical.hollow_box_second_moment(32.2, 19.5, 0.016) == pytest.approx(117.468, abs=5e-4)
     assert empirical.hollow_box_second_moment(44.0, 21.5, 0.016) == pytest.approx(188.854, abs=5e-4)
     with pytest.raises(ArgumentError, match="thickness is 1 m"):
@@ -53,7 +54,7 @@ def test_hollow_box():
 
 def test_kumai():
     scim = {"second_moment": 253.0, "breadth": 32.2, "draught": 13.2, "displacement_t": 74660.0}
-    # formulas.md 1.3: 29.70 cpm with 262 m, 32.25 cpm with 248 m
+    # worked by hand: Dv = (1.2 + B / (3 T)) Delta = 150300 t, 3.07e6 sqrt(I / (Dv L^3)) with 262 m and with 248 m
     assert (empirical.kumai(length=262.0, **scim)[0] / RAD_S_PER_CPM).round(2) == 29.70
     modes = empirical.kumai(length=248.0, **scim, exponent=1.02)
     assert (modes[0] / RAD_S_PER_CPM).round(2) == 32.25
@@ -63,7 +64,8 @@ def test_kumai():
 
 def test_burrill():
     scim = {"second_moment": 253.0, "breadth": 32.2, "depth": 19.5, "draught": 13.2, "displacement_t": 74660.0}
-    # formulas.md 1.3: with the length between perpendiculars 40.38 cpm = 4.229 rad/s
+    # worked by hand: phi = 200000 for the length between perpendiculars (Tupper, Introduction to Naval Architecture,
+    # p. 293; tons, feet), shear correction r_s = 0.1787: 40.38 cpm = 4.229 rad/s
     assert (empirical.burrill(length=248.0, **scim)[0] / RAD_S_PER_CPM).round(2) == 40.38
     overall = empirical.burrill(length=248.0, **scim, length_kind="overall")
     assert overall / empirical.burrill(length=248.0, **scim) == pytest.approx([1.1], rel=1e-14)

@@ -40,7 +40,7 @@ def test_trim_is_the_lever_over_the_metacentre(lcg: float, percent: float, ok: b
     check = checks.check_trim(lcg, BARGE)
     assert check.value == pytest.approx(percent, abs=1e-12)
     assert check.ok is ok
-    assert ("bow" in check.title) is (percent < 0)
+    assert check.limit == (1.5 if percent >= 0 else -0.5)
 
 
 @pytest.mark.parametrize(("mass", "percent", "ok"), [(10.25e6, 0.0, True), (10.0e6, 2.5, False), (10.6e6, -3.3, False)])
@@ -88,3 +88,36 @@ def test_a_doubt_names_number_limit_and_remedy() -> None:
     assert "2.50 %" in doubt
     assert "limit 1 %" in doubt
     assert "check the draught" in doubt
+
+
+@pytest.mark.parametrize(
+    ("factor", "limit", "ok"), [(2.25, 6.0, True), (3.31, 6.0, True), (7.0, 6.0, False), (0.4, 0.5, False)]
+)
+def test_equivalent_thickness(factor: float, limit: float, ok: bool) -> None:
+    check = checks.check_thickness(factor, 0.016)
+    assert (check.limit, check.ok) == (limit, ok)
+
+
+@pytest.mark.parametrize(("hertz", "ok"), [(0.95, True), (0.1, False), (30.0, False)])
+def test_first_frequency_of_a_262_m_hull(hertz: float, ok: bool) -> None:
+    # limits 30/L and 3000/L: 0.115 and 11.5 Hz
+    assert checks.check_frequency(hertz, 262.0).ok is ok
+
+
+def test_an_estimate_outside_the_ships_behind_it_is_told() -> None:
+    from hullform.ship import Particulars
+
+    tug = Particulars(
+        name="tug",
+        type="tug",
+        length_overall_m=60.0,
+        length_between_perpendiculars_m=60.0,
+        breadth_m=12.0,
+        depth_m=6.0,
+        draught_m=5.0,
+    )
+    check = checks.check_steel_numeral(tug)
+    assert check is not None
+    # 60 (12 + 5) + 0.85 * 60 * 1 = 1071, above the table's 450
+    assert (check.value, check.limit, check.ok) == (pytest.approx(1071.0), 450.0, False)
+    assert checks.check_steel_numeral(tug.model_copy(update={"type": "frigate"})) is None

@@ -56,7 +56,7 @@ def test_only_our_own_results_are_replaced_without_force(tmp_path: Path) -> None
     other = tmp_path / "other"
     other.mkdir()
     (other / "thesis.doc").touch()
-    with pytest.raises(OutputError, match="not results of ours"):
+    with pytest.raises(OutputError, match="which no run wrote"):
         check_replaceable(other, (), force=False)
     check_replaceable(other, (), force=True)
     with pytest.raises(OutputError, match="is a file"):
@@ -70,3 +70,36 @@ def test_a_folder_that_holds_an_input_is_never_replaced(tmp_path: Path) -> None:
         check_replaceable(tmp_path, (ship,), force=True)
     with pytest.raises(OutputError, match=r"holds ship\.toml"):
         check_replaceable(tmp_path.parent, (ship,), force=True)
+
+
+def test_a_file_that_no_run_wrote_is_kept(tmp_path: Path) -> None:
+    folder = ours(tmp_path / "results")
+    (folder / "girder-loaded.json").touch()
+    check_replaceable(folder, (), force=False)
+    (folder / "notes.txt").touch()
+    with pytest.raises(OutputError, match=r"holds notes\.txt, which no run wrote"):
+        check_replaceable(folder, (), force=False)
+
+
+def test_a_folder_under_version_control_is_never_replaced(tmp_path: Path) -> None:
+    (tmp_path / ".git").mkdir()
+    with pytest.raises(OutputError, match="under version control"):
+        check_replaceable(tmp_path, (), force=True)
+
+
+def test_old_results_survive_an_interrupt_between_the_two_renames(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = ours(tmp_path / "results")
+    rename = Path.replace
+
+    def interrupted(self: Path, target: Path) -> Path:
+        if target == folder and not self.name.endswith("-old"):
+            raise KeyboardInterrupt
+        return rename(self, target)
+
+    monkeypatch.setattr(Path, "replace", interrupted)
+    with pytest.raises(KeyboardInterrupt), whole_folder(folder):
+        pass
+    assert (folder / RESULTS_NAME).exists()
+    assert [path.name for path in tmp_path.iterdir()] == ["results"]

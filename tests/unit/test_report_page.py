@@ -15,7 +15,7 @@ import pytest
 from hullform.body_plan import BodyPlan, Station, TracedCurve
 from hullform.outcome import Run
 from hullform.pipeline import run_ship
-from hullform.report.page import draw_pictures, failed_checks, floating_faults, render, write_report
+from hullform.report.page import draw_pictures, failed_checks, render, write_report
 from hullform.report.wording import reading_of_mode
 from hullform.rounding import significant
 from hullform.ship import read_ship
@@ -107,24 +107,24 @@ def test_a_ship_that_does_not_float_right_has_a_banner_and_one_that_does_has_non
     sound = replace(light, checks=tuple(replace(check, ok=True) for check in light.checks))
     sinking = replace(light, checks=(replace(light.checks[0], id="floats", ok=False, remedy="lighten her"),))
     pictures = draw_pictures(run)
-    assert banner not in render(replace(run, conditions={"light-ship": sound}), pictures, "")
-    text = render(replace(run, conditions={"light-ship": sinking}), pictures, "")
+    assert banner not in render(replace(run, checks=(), conditions={"light-ship": sound}), pictures, "")
+    text = render(replace(run, checks=(), conditions={"light-ship": sinking}), pictures, "")
     assert text.count(banner) == 1
-    assert "light-ship: does not float right." in text
+    assert "Light-ship: something is wrong." in text
     assert "lighten her" in text
 
 
 def test_this_ship_fails_her_checks_and_says_so_in_words(run: Run, page: str) -> None:
-    assert floating_faults(run.conditions["loaded"])
+    assert failed_checks(run.conditions["loaded"].checks)
     assert 'class="fails"' in page
     assert ">fails</span>" in page
-    assert page.count('role="alert"') == sum(bool(floating_faults(c)) for c in run.conditions.values())
+    in_doubt = [run.checks, *(condition.checks for condition in run.conditions.values())]
+    assert page.count('role="alert"') == sum(bool(failed_checks(checks)) for checks in in_doubt)
 
 
-def test_failed_checks_of_floating_stand_in_the_banner_only(run: Run) -> None:
-    told = " ".join(failed_checks(run))
-    assert "would cause" not in told
-    assert "displacement read at the design draught" in told
+def test_what_is_wrong_with_the_ship_stands_over_every_condition(run: Run, page: str) -> None:
+    assert "displacement read at the design draught" in failed_checks(run.checks)[0].title
+    assert page.index("The ship, in every condition: something is wrong.") < page.index('class="headline"')
 
 
 def test_first_screen_has_each_frequency_to_three_figures(run: Run, page: str) -> None:

@@ -120,7 +120,7 @@ def station_places(length_m: float, count: int) -> Array:
     return x
 
 
-def loft(
+def lofted_sections(
     stations: Sequence[FittedStation], x: Array, length_m: float
 ) -> tuple[Sections, tuple[Extrapolation, ...], tuple[str, ...]]:
     """Interpolate fitted stations, one per x, to the places x; return the sections, what is extrapolated, doubts.

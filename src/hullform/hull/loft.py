@@ -13,7 +13,14 @@ from hullform.body_plan import BodyPlan
 from hullform.errors import HullError
 from hullform.hull import hydrostatics as floating
 from hullform.hull.arcs import curve_points
-from hullform.hull.drawn import Extrapolation, FittedStation, fit_stations, loft, merge_halves, station_places
+from hullform.hull.drawn import (
+    Extrapolation,
+    FittedStation,
+    fit_stations,
+    lofted_sections,
+    merge_halves,
+    station_places,
+)
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.hull.sections import Sections, interpolated, quadrature
 from hullform.hull.surface import closed_surface
@@ -112,7 +119,7 @@ class Hull:
 
         Sections stand closer together at the ends (`drawn.station_places`). A station drawn on both halves counts once,
         with the mean of its extents; the halves' disagreement beyond a pen's width becomes a doubt. Outside the
-        outermost drawn stations the form is extrapolated (`drawn.loft`), and `extrapolated` says where.
+        outermost drawn stations the form is extrapolated (`drawn.lofted_sections`), and `extrapolated` says where.
 
         Raises HullError for fewer than three sections, a station outside the length overall or one without a shape.
         """
@@ -128,7 +135,7 @@ class Hull:
         fits = fit_stations(body_plan, float(particulars.breadth_m))
         merged, disagreements = merge_halves(fits, float(particulars.breadth_m))
         x = station_places(length, stations)
-        sections, extrapolated, guesses = loft(merged, x, length)
+        sections, extrapolated, guesses = lofted_sections(merged, x, length)
         return cls(
             x_m=x,
             half_breadth_m=sections.half_breadth,

@@ -49,6 +49,11 @@ class Structure:
     floored: int
 
     @property
+    def midship_second_moment_m4(self) -> float:
+        """I at midships, with the factor."""
+        return self.thickness_factor * self.midship_shell_second_moment_m4
+
+    @property
     def flexural_rigidity(self) -> Array:
         """(n,) EI(x) in N m2."""
         return self.youngs_modulus_pa * self.second_moment_m4

@@ -12,7 +12,6 @@ from hullform.ship import Particulars, ShipType
 
 GRAVITY_M_S2 = 9.81
 KNOTS_PER_M_S = 3600.0 / 1852.0
-SEA_WATER_T_M3 = 1.025
 # Slow-running diesel engine, dry, with its gearing and shafting left out (Practical Ship Design, p. 110).
 SLOW_DIESEL_T_PER_KW = 0.037
 # The ratio within which an estimate with a guessed speed is worth believing: a factor of two either way.
@@ -25,32 +24,35 @@ class TypeFigures:
 
     Attributes:
         steel_k: K of the steel weight (Practical Ship Design, table 4.1, p. 85).
-        steel_k_spread: the scatter of K in the same table; 10 % of K where the table gives none.
-        outfit_t_m2: outfit weight over L B, read off figure 4.13 at the usual size of the type.
+        steel_k_spread: the scatter of K in the same table; 10 % of K, ours, where the table gives none.
+        numeral_range_m2: of the ships behind K in the same table; None where it gives none.
+        outfit_t_m2: outfit weight over L B at the usual size of the type, read off figure 4.13; None where the
+            figure has no such type.
         remainder: factor of the machinery remainder, K P^0.70.
-        froude_number: usual service Froude number, from which a power is guessed where none is known.
+        froude_number: of the usual service speed, a guess of ours; None where no outfit is known either.
     """
 
     steel_k: float
     steel_k_spread: float
-    outfit_t_m2: float
-    remainder: float
-    froude_number: float
+    numeral_range_m2: tuple[float, float] | None
+    outfit_t_m2: float | None = None
+    remainder: float = 0.69
+    froude_number: float | None = None
 
 
 TYPE_FIGURES: dict[ShipType, TypeFigures] = {
-    "tanker": TypeFigures(0.032, 0.003, 0.21, 0.72, 0.16),
-    "chemical-tanker": TypeFigures(0.036, 0.001, 0.28, 0.72, 0.19),
-    "bulk-carrier": TypeFigures(0.031, 0.002, 0.22, 0.69, 0.16),
-    "container": TypeFigures(0.036, 0.003, 0.34, 0.69, 0.25),
-    "refrigerated-cargo": TypeFigures(0.034, 0.002, 0.40, 0.69, 0.26),
-    "coaster": TypeFigures(0.030, 0.002, 0.40, 0.69, 0.22),
-    "offshore-supply": TypeFigures(0.045, 0.005, 0.45, 0.69, 0.26),
-    "tug": TypeFigures(0.044, 0.002, 0.45, 0.69, 0.32),
-    "research": TypeFigures(0.045, 0.002, 0.50, 0.69, 0.25),
-    "ro-ro-ferry": TypeFigures(0.031, 0.006, 0.55, 0.83, 0.26),
-    "passenger": TypeFigures(0.038, 0.001, 0.80, 0.83, 0.25),
-    "frigate": TypeFigures(0.023, 0.0023, 0.40, 0.19, 0.40),
+    "tanker": TypeFigures(0.032, 0.003, (1500.0, 40000.0), 0.21, 0.72, 0.16),
+    "chemical-tanker": TypeFigures(0.036, 0.001, (1900.0, 2500.0)),
+    "bulk-carrier": TypeFigures(0.031, 0.002, (3000.0, 15000.0), 0.22, 0.69, 0.16),
+    "container": TypeFigures(0.036, 0.003, (6000.0, 13000.0), 0.34, 0.69, 0.25),
+    "refrigerated-cargo": TypeFigures(0.034, 0.002, (4000.0, 6000.0)),
+    "coaster": TypeFigures(0.030, 0.002, (1000.0, 2000.0)),
+    "offshore-supply": TypeFigures(0.045, 0.005, (800.0, 1300.0)),
+    "tug": TypeFigures(0.044, 0.002, (350.0, 450.0)),
+    "research": TypeFigures(0.045, 0.002, (1350.0, 1500.0)),
+    "ro-ro-ferry": TypeFigures(0.031, 0.006, (2000.0, 5000.0)),
+    "passenger": TypeFigures(0.038, 0.001, (5000.0, 15000.0), 0.80, 0.83, 0.25),
+    "frigate": TypeFigures(0.023, 0.0023, None),
 }
 
 
@@ -96,27 +98,28 @@ def steel_weight(particulars: Particulars, block_coefficient: float) -> Estimate
     )
 
 
-def installed_power_kw(particulars: Particulars, displacement_t: float) -> float:
+def installed_power_kw(particulars: Particulars, displacement_t: float, froude_number: float) -> float:
     """A guess of the installed power: P = Delta^(2/3) V^3 / C, C = 26 (sqrt(L) + 150 / V), V in knots.
 
-    V follows from the usual Froude number of the type. Source: the Admiralty coefficient with the
-    approximation of C in Barrass, Ship Design and Performance for Masters and Mates (2004), ch. 13.
+    V = Fn sqrt(g L). Source: the Admiralty coefficient with the approximation of C in Barrass, Ship Design and
+    Performance for Masters and Mates (2004), from memory.
     """
     length = particulars.length_between_perpendiculars_m
-    froude_number = TYPE_FIGURES[particulars.type].froude_number
     speed_knots = froude_number * math.sqrt(GRAVITY_M_S2 * length) * KNOTS_PER_M_S
     coefficient = 26.0 * (math.sqrt(length) + 150.0 / speed_knots)
     return float(displacement_t ** (2 / 3) * speed_knots**3 / coefficient)
 
 
-def machinery_and_outfit_weight(particulars: Particulars, displacement_t: float) -> Estimate:
-    """Machinery and outfit: 0.037 P + K_r P^0.70 + C_o L B, with P of `installed_power_kw`.
+def machinery_and_outfit_weight(particulars: Particulars, displacement_t: float) -> Estimate | None:
+    """Machinery and outfit: 0.037 P + K_r P^0.70 + C_o L B, with P of `installed_power_kw` and a slow diesel engine.
 
-    The range is a factor of two either way, as wide as a guessed speed and outfit make it.
-    Source: Watson, Practical Ship Design, pp. 109-110 (machinery) and figure 4.13 (outfit).
+    The range is a factor of two either way, as wide as a guessed speed and outfit make it. None for types of which
+    no outfit figure is at hand. Source: Watson, Practical Ship Design, pp. 109-110 (machinery), figure 4.13 (outfit).
     """
     figures = TYPE_FIGURES[particulars.type]
-    power_kw = installed_power_kw(particulars, displacement_t)
+    if figures.outfit_t_m2 is None or figures.froude_number is None:
+        return None
+    power_kw = installed_power_kw(particulars, displacement_t, figures.froude_number)
     outfit_t = figures.outfit_t_m2 * particulars.length_between_perpendiculars_m * particulars.breadth_m
     weight_t = SLOW_DIESEL_T_PER_KW * power_kw + figures.remainder * power_kw**0.70 + outfit_t
     return Estimate(weight_t, weight_t / LIGHT_SHIP_FACTOR, weight_t * LIGHT_SHIP_FACTOR)

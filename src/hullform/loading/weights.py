@@ -34,14 +34,15 @@ class LightShip:
         steel_weight_t: as given, or estimated.
         steel_estimate: Watson & Gilfillan's figure and range for this ship.
         steel_given: whether ship.toml gave the steel weight.
-        machinery_and_outfit_estimate: what Watson would expect of the rest of the light ship.
+        machinery_and_outfit_estimate: what Watson would expect of the rest of the light ship; None where no source
+            has the type.
     """
 
     items: tuple[Distribution, ...]
     steel_weight_t: float
     steel_estimate: watson.Estimate
     steel_given: bool
-    machinery_and_outfit_estimate: watson.Estimate
+    machinery_and_outfit_estimate: watson.Estimate | None
 
 
 def light_ship(

@@ -50,7 +50,7 @@ class Block:
     lines: tuple[Line, ...]
 
 
-def appendix(run: Run) -> tuple[Block, ...]:
+def table_2_blocks(run: Run) -> tuple[Block, ...]:
     """The blocks of Table 2 that belong to a run; empty where she is none of the paper's ships."""
     known = published_ship(run.ship)
     if known is None:

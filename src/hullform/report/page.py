@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import platform
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -16,7 +16,7 @@ from hullform.checks import Check
 from hullform.files import whole_file
 from hullform.outcome import ConditionRun, Run
 from hullform.report import girder_figures, hull_figures, hull_view
-from hullform.report.appendix import appendix
+from hullform.report.appendix import table_2_blocks
 from hullform.report.drawing import JPEG_QUALITY, Picture, house_style
 from hullform.report.published import FUNCTIONS
 from hullform.report.wording import reading_of_mode
@@ -27,7 +27,6 @@ FIGURES_NAME = "figures"
 TEMPLATE = "report.html.j2"
 HEADLINE_MODES = girder_figures.SHOWN_MODES
 # A ship that fails one of these does not float as the girder is analysed.
-FLOATING_CHECKS = frozenset({"displacement", "floats", "trim"})
 # What the cards of the first screen call the checks; their titles in full stand with the remedies.
 CHECK_LABELS = {
     "given-displacement": "Displacement at the design draught, read against given",
@@ -37,6 +36,10 @@ CHECK_LABELS = {
     "floats": "Mass against the displacement at the depth",
     "trim": "Trim that LCG against LCB would cause, by the stern positive",
     "light-ship": "Light ship less steel, within a factor of two of Watson’s estimate",
+    "equivalent-thickness": "Equivalent over given shell thickness",
+    "steel-estimate": "Numeral within those behind the estimated steel weight",
+    "mesh-volume": "Volume of the mesh against the sections",
+    "first-frequency": "First frequency, as of hulls of her length",
 }
 LIBRARIES = ("numpy", "scipy", "opencv-python-headless", "trimesh", "matplotlib")
 
@@ -104,10 +107,10 @@ def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
         "pictures": pictures,
         "viewer": _script_text(viewer),
         "stations": _stations(run),
-        "sinking": {name: floating_faults(condition) for name, condition in run.conditions.items()},
+        "failed": {name: failed_checks(condition.checks) for name, condition in run.conditions.items()},
+        "failed_of_ship": failed_checks(run.checks),
         "check_labels": CHECK_LABELS,
-        "failed": failed_checks(run),
-        "blocks": appendix(run),
+        "blocks": table_2_blocks(run),
         "functions": FUNCTIONS,
         "per_cent": per_cent,
         "reading_of_mode": reading_of_mode,
@@ -118,22 +121,9 @@ def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
     return environment.get_template(TEMPLATE).render(context)
 
 
-def floating_faults(condition: ConditionRun) -> list[Check]:
-    """The checks of floating that a condition fails."""
-    return [check for check in condition.checks if check.id in FLOATING_CHECKS and not check.ok]
-
-
-def failed_checks(run: Run) -> list[str]:
-    """Every failed check but those of floating, in full with its remedy, once, with the conditions that it concerns."""
-    where: dict[str, list[str]] = {}
-    for check in run.checks:
-        if not check.ok:
-            where[f"{check.doubt}."] = ["the ship"]
-    for condition in run.conditions.values():
-        for check in condition.checks:
-            if not check.ok and check.id not in FLOATING_CHECKS:
-                where.setdefault(f"{check.doubt}.", []).append(condition.condition.title)
-    return [f"{', '.join(titles)}: {sentence}" for sentence, titles in where.items()]
+def failed_checks(checks: Iterable[Check]) -> list[Check]:
+    """The checks that do not hold."""
+    return [check for check in checks if not check.ok]
 
 
 def largest_difference(condition: ConditionRun) -> float:

@@ -9,7 +9,7 @@ SHOWN = 3
 
 
 def summary(run: Run) -> str:
-    """A table of conditions with mass, even-keel draught and the first modes."""
+    """A table of conditions with mass, even-keel draught and the first modes; a star marks those in doubt."""
     of_ship = run.ship.particulars
     lines = [
         f"{of_ship.name}: LOA {of_ship.length_overall_m:g} m, LPP {of_ship.length_between_perpendiculars_m:g} m, "
@@ -17,16 +17,19 @@ def summary(run: Run) -> str:
         "Vertical bending, dry Euler-Bernoulli beam: neither water nor shear is in these figures.",
         "",
         f"{'condition':<14}{'mass, t':>9}{'draught, m':>12}{'mode':>6}{'nodes':>7}"
-        f"{'Hz':>9}{'cycles/min':>12}{'rad/s':>9}",
+        f"{'Hz':>10}{'cycles/min':>12}{'rad/s':>10}",
     ]
     for name, condition in run.conditions.items():
         modes = condition.modes
-        first = f"{name:<14}{condition.mass_kg / 1e3:>9.0f}{condition.floating.draught_m:>12.2f}"
+        star = "" if all(check.ok for check in (*run.checks, *condition.checks)) else " *"
+        first = f"{name + star:<14}{condition.mass_kg / 1e3:>9.0f}{condition.floating.draught_m:>12.2f}"
         for mode in range(SHOWN):
             lines.append(
                 f"{first if mode == 0 else '':<35}{mode + 1:>6}{modes.node_counts[mode]:>7}"
-                f"{significant(modes.frequencies_hz[mode]):>9}"
+                f"{significant(modes.frequencies_hz[mode]):>10}"
                 f"{significant(modes.cycles_per_minute[mode]):>12}"
-                f"{significant(modes.angular_frequencies[mode]):>9}"
+                f"{significant(modes.angular_frequencies[mode]):>10}"
             )
+    if run.doubts:
+        lines += ["", "* something is wrong with the ship or the condition: see the doubts"]
     return "\n".join(lines)

@@ -1,0 +1,122 @@
+"""The ship afloat: structure and weights on the lofted hull, and every condition on even keel, with checks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from hullform import checks
+from hullform.checks import Check
+from hullform.hull.hydrostatics import Hydrostatics
+from hullform.hull.loft import Hull
+from hullform.loading.distributions import Distribution, girder_from
+from hullform.loading.structure import Structure, shell_structure
+from hullform.loading.weights import KG_PER_T, LightShip, condition_items, light_ship
+from hullform.ship import ConditionInput, Ship, StructureInput, WeightsInput
+from hullvib.girder import Girder
+
+
+@dataclass(frozen=True, eq=False)
+class ConditionAfloat:
+    """One loading condition: its weights along the ship, the girder that carries them, and how she floats.
+
+    Attributes:
+        condition: what ship.toml says of it.
+        items: its weights.
+        girder: m(x) and EI(x).
+        floating: hydrostatics at the even-keel draught of its mass (at the depth, where she would sink).
+        checks: of floating.
+    """
+
+    condition: ConditionInput
+    items: tuple[Distribution, ...]
+    girder: Girder
+    floating: Hydrostatics
+    checks: tuple[Check, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class ShipAfloat:
+    """A ship loaded in all her conditions.
+
+    Attributes:
+        hull: lofted.
+        at_draught: hydrostatics at the design draught.
+        structure: the shell's section properties.
+        light: steel, machinery and their estimates.
+        checks: of the hull, the structure and the light ship.
+        conditions: in the order of ship.toml.
+    """
+
+    hull: Hull
+    at_draught: Hydrostatics
+    structure: Structure
+    light: LightShip
+    checks: tuple[Check, ...]
+    conditions: tuple[ConditionAfloat, ...]
+
+
+def load_ship(ship: Ship, hull: Hull) -> ShipAfloat:
+    """Give a hull her structure and her weights, and float her in every condition.
+
+    The heaviest condition is held against the buoyancy at the design draught.
+
+    Raises:
+        ShipFileError: [structure], [weights] or [[conditions]] is missing.
+        LoadingError: weights or a structure that cannot be.
+        HullError: nothing of her is under water.
+    """
+    given, weights, conditions = ship.require_sections_of_a_run()
+    at_draught = hull.hydrostatics(ship.particulars.draught_m, ship.water.density_kg_m3)
+    structure = shell_structure(hull, given)
+    displacement_t = at_draught.displacement_kg / KG_PER_T
+    light = light_ship(weights, hull, structure, ship.particulars, at_draught.block_coefficient, displacement_t)
+    heaviest = max(conditions, key=lambda condition: condition.deadweight_t)
+    return ShipAfloat(
+        hull=hull,
+        at_draught=at_draught,
+        structure=structure,
+        light=light,
+        checks=_checks_of_the_ship(ship, given, weights, at_draught, structure, light),
+        conditions=tuple(
+            _afloat(ship, hull, structure, light, condition, at_draught if condition is heaviest else None)
+            for condition in conditions
+        ),
+    )
+
+
+def _checks_of_the_ship(
+    ship: Ship,
+    given: StructureInput,
+    weights: WeightsInput,
+    at_draught: Hydrostatics,
+    structure: Structure,
+    light: LightShip,
+) -> tuple[Check, ...]:
+    found = list(checks.checks_of_the_hull(ship.particulars, at_draught))
+    if given.midship_second_moment_m4 is not None:
+        found.append(checks.check_thickness(structure.thickness_factor, given.shell_thickness_m))
+    if light.machinery_and_outfit_estimate is not None:
+        found.append(checks.check_light_ship(weights.semi_concentrated_weight_t, light.machinery_and_outfit_estimate))
+    numeral = None if light.steel_given else checks.check_steel_numeral(ship.particulars)
+    return (*found, numeral) if numeral else tuple(found)
+
+
+def _afloat(
+    ship: Ship,
+    hull: Hull,
+    structure: Structure,
+    light: LightShip,
+    condition: ConditionInput,
+    held_against: Hydrostatics | None,
+) -> ConditionAfloat:
+    items = condition_items(condition, light, hull, ship.particulars.draught_m)
+    name = f"{ship.particulars.name}, {condition.title}"
+    girder = girder_from(name, items, structure.x_m, structure.flexural_rigidity)
+    mass, density, depth = girder.total_mass, ship.water.density_kg_m3, hull.depth_amidships_m
+    capacity = hull.hydrostatics(depth, density).displacement_kg
+    draught = depth if mass > capacity else hull.draught_for(mass, density)
+    floating = hull.hydrostatics(draught, density)
+    found = [checks.check_floating(mass, capacity, depth), checks.check_trim(girder.centre_of_gravity, floating)]
+    if held_against is not None:
+        found.insert(0, checks.check_displacement(mass, held_against))
+    return ConditionAfloat(condition, items, girder, floating, tuple(found))

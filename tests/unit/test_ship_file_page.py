@@ -1,0 +1,121 @@
+"""docs/ship-file.md against the model that reads ship.toml: every key stands there, and its examples are accepted."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any, get_args
+
+import pytest
+from pydantic import BaseModel
+from pydantic.fields import FieldInfo
+
+from hullform.ship import Ship, ShipType
+from hullform.ship_faults import RESERVED
+
+PAGE = (Path(__file__).parents[2] / "docs" / "ship-file.md").read_text(encoding="utf-8")
+EXAMPLE = re.compile(r"<!-- example: (\w+) -->\n```toml\n(.*?)```", re.DOTALL)
+BLOCKS = [(kind, tomllib.loads(text)) for kind, text in EXAMPLE.findall(PAGE)]
+WHOLE_FILES = [document for kind, document in BLOCKS if kind == "ship"]
+CALIBRATIONS = [document for kind, document in BLOCKS if kind == "calibration"]
+
+
+def models_in(annotation: Any) -> list[type[BaseModel]]:
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return [annotation]
+    return [model for part in get_args(annotation) for model in models_in(part)]
+
+
+def keys_by_table(model: type[BaseModel], table: str = "") -> dict[str, dict[str, FieldInfo]]:
+    """The keys of every table, by its path in the file."""
+    found: dict[str, dict[str, FieldInfo]] = {table: {}}
+    for name, field in model.model_fields.items():
+        key = field.alias or name
+        found[table][key] = field
+        for inner in models_in(field.annotation):
+            found |= keys_by_table(inner, f"{table}.{key}".lstrip("."))
+    return found
+
+
+TABLES = keys_by_table(Ship)
+
+
+def section(table: str) -> str:
+    """The page's text on one table: from its heading to the next of the same rank."""
+    heading = (
+        "At the top" if not table else next(h for h in (f"`[{table}]`", f"`[[{table}]]`") if f"\n## {h}\n" in PAGE)
+    )
+    return PAGE.split(f"\n## {heading}\n")[1].split("\n## ")[0]
+
+
+def rows(text: str) -> dict[str, str]:
+    """Rows of the tables of a text, by the key in their first cell."""
+    return dict(re.findall(r"^\| `([\w-]+)` \| (.*)$", text, re.MULTILINE))
+
+
+# the points' keys stand in the section of the calibration
+IN_SECTION_OF = {"body_plan.calibration.points": "body_plan.calibration"}
+KEYS = [
+    pytest.param(IN_SECTION_OF.get(table, table), key, field, id=f"{table}.{key}")
+    for table, keys in TABLES.items()
+    for key, field in keys.items()
+    if table or key not in TABLES
+]
+
+
+@pytest.mark.parametrize(("table", "key", "field"), KEYS)
+def test_every_key_of_the_model_has_a_row_with_its_default(table: str, key: str, field: FieldInfo) -> None:
+    default = rows(section(table))[key].split(" | ")[1]
+    # the one key whose need hangs on two others is required in the model and says so in its row
+    assert ("required" in default) == field.is_required()
+    if isinstance(field.default, int | float):
+        assert float(default) == field.default
+
+
+def test_no_row_names_a_key_that_is_refused() -> None:
+    known = [parameters.values[:2] for parameters in KEYS]
+    for table in {table for table, _ in known}:
+        text = section(str(table)).split("### Types")[0]
+        assert set(rows(text)) <= {key for where, key in known if where == table}
+
+
+@pytest.mark.parametrize("table", TABLES)
+def test_every_table_has_a_section(table: str) -> None:
+    assert len(section(IN_SECTION_OF.get(table, table)).split()) > 3
+
+
+def test_the_page_lists_every_type_and_no_other() -> None:
+    assert list(rows(PAGE.split("### Types")[1].split("\n## ")[0])) == list(get_args(ShipType))
+
+
+def test_every_reserved_name_is_listed() -> None:
+    reserved = PAGE.split("\n## Reserved\n")[1].split("\n## ")[0]
+    for table, names in RESERVED.items():
+        for name in names:
+            assert (f"`{name}`" if table else f"`[{name}]`") in reserved
+
+
+def test_the_whole_example_is_accepted() -> None:
+    (document,) = WHOLE_FILES
+    ship = Ship.model_validate(document)
+    # LOA differs from LPP, so this one key must be given
+    assert ship.particulars.aft_perpendicular_m > 0
+    ship.require_sections_of_a_run()
+    del document["ship"]["aft_perpendicular_m"]
+    with pytest.raises(ValueError, match="aft_perpendicular_m"):
+        Ship.model_validate(document)
+
+
+@pytest.mark.parametrize("given", CALIBRATIONS)
+def test_the_calibrations_are_accepted_with_the_whole_example(given: dict[str, Any]) -> None:
+    document = tomllib.loads(EXAMPLE.findall(PAGE)[-1][1])
+    document["body_plan"] |= given["body_plan"]
+    assert Ship.model_validate(document).body_plan.calibration is not None
+
+
+def test_both_ways_of_calibrating_are_shown() -> None:
+    assert [set(given["body_plan"]["calibration"]) for given in CALIBRATIONS] == [
+        {"points"},
+        {"centreline_px", "baseline_px", "metres_per_px", "rotation_deg"},
+    ]
