@@ -6,34 +6,65 @@
 [5.0358, 13.8813, 27.2128, 44.9842, 67.1986]
 """
 
-from hullvib import distortion, empirical, errors
+from hullvib import distortion, empirical, errors, sensitivity
+from hullvib.bounds import Bracket, bracket
+from hullvib.correlation import Orthogonality, mac, orthogonality
 from hullvib.distortion import ritz_convergence
-from hullvib.errors import ArgumentError, GirderError, GirderFileError, HullvibError, SolutionError
+from hullvib.errors import (
+    ArgumentError,
+    GirderError,
+    GirderFileError,
+    HullvibError,
+    ModeFileError,
+    NotProven,
+    SolutionError,
+)
 from hullvib.finite_elements import FiniteElements
 from hullvib.girder import Girder, PointMass
 from hullvib.girder_files import parse_girder, read_girder, write_girder
+from hullvib.girder_stack import GirderStack
+from hullvib.many import ManyModes, solve_many
+from hullvib.mode_files import write_modes
 from hullvib.modes import Modes
 from hullvib.ritz import Ritz
 from hullvib.solving import Method, solve
+from hullvib.stodola import StodolaRitz
+from hullvib.timoshenko import TimoshenkoRitz
+from hullvib.timoshenko_elements import TimoshenkoElements
 
 __all__ = [
     "ArgumentError",
+    "Bracket",
     "FiniteElements",
     "Girder",
     "GirderError",
     "GirderFileError",
+    "GirderStack",
     "HullvibError",
+    "ManyModes",
     "Method",
+    "ModeFileError",
     "Modes",
+    "NotProven",
+    "Orthogonality",
     "PointMass",
     "Ritz",
     "SolutionError",
+    "StodolaRitz",
+    "TimoshenkoElements",
+    "TimoshenkoRitz",
+    "bracket",
     "distortion",
     "empirical",
     "errors",
+    "mac",
+    "orthogonality",
     "parse_girder",
     "read_girder",
     "ritz_convergence",
+    "sensitivity",
     "solve",
+    "solve_many",
     "write_girder",
+    "write_modes",
 ]

@@ -8,11 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hullvib.energies import energy_rule, kinetic_terms, point_terms, strain_terms
 from hullvib.errors import ArgumentError
 from hullvib.fields import UniformModeSeries
 from hullvib.girder import Girder
 from hullvib.modes import Modes, zero_positions
-from hullvib.quadrature import Quadrature, composite
+from hullvib.quadrature import Quadrature
 from hullvib.ritz import Ritz, ritz_pencil
 
 Array = NDArray[np.float64]
@@ -29,7 +30,8 @@ def weight_vectors(modes: Modes) -> Array:
     """
     if not isinstance(modes.field, UniformModeSeries):
         raise ArgumentError(
-            f"weights of uniform modes exist for the Ritz method only, not for {modes.method['method']!r}."
+            f"weights of uniform modes exist for the Ritz method only, in its uniform basis, not for "
+            f"{modes.method['method']!r}."
         )
     elastic = modes.field.elastic
     largest = elastic[np.arange(len(elastic)), np.abs(elastic).argmax(axis=1)]
@@ -99,6 +101,8 @@ class EnergySplit:
 def energy_split(modes: Modes, bounds: Sequence[float] = SHIP_REGIONS) -> EnergySplit:
     """Shares of int m Phi^2 dx and of int EI Phi''^2 dx by region; bounds as fractions of the length, 0 to 1.
 
+    Rotary inertia and shear strain count where the theory has them, and EI then goes with the sections' curvature.
+
     A point mass on a bound counts to the region forward of it, at the fore end to the last. Raises ArgumentError.
     """
     edges = np.asarray(bounds, dtype=np.float64)
@@ -161,7 +165,7 @@ def spatial_correlation(modes: Modes, *, with_uniform_modes: bool = True) -> Spa
     """
     count = len(modes.angular_frequencies)
     field = UniformModeSeries(np.zeros((count, 2)), np.eye(count)) if with_uniform_modes else modes.field
-    rule = _rule(modes.girder, np.array([0.0, 1.0]), count)
+    rule = energy_rule(modes.girder, [modes.field], count, np.array([0.0, 1.0]))
     xi, weights = rule.xi.ravel(), rule.weights.ravel()
     results = []
     for coefficients, derivative in (
@@ -195,34 +199,20 @@ def ritz_convergence(
     return np.sqrt(np.stack(eigenvalues)) * pencil.unit_frequency
 
 
-def _rule(girder: Girder, bounds: Array, modes: int) -> Quadrature:
-    breaks = girder.breaks / girder.length
-    # cells of 1/16 of a half wave of the highest mode: seven points then leave round-off only
-    grid = np.linspace(0.0, 1.0, 16 * (modes + 1) + 1)
-    edges = np.unique(np.concatenate([breaks, bounds, grid]))
-    edges = edges[np.append(True, np.diff(edges) > 1e-12)]
-    edges[-1] = 1.0
-    degree = max(girder.mass_coefficients.shape[1], girder.flexural_rigidity_coefficients.shape[1]) - 1
-    return composite(breaks, edges, 7 + (degree + 1) // 2)
-
-
 def _energies(modes: Modes, bounds: Array) -> tuple[Quadrature, Array, Array]:
     """Twice the energies of each cell, (modes, cells): kinetic in units of omega^2 L, strain in units of L^-3."""
-    rule = _rule(modes.girder, bounds, len(modes.scale))
+    rule = energy_rule(modes.girder, [modes.field], len(modes.scale), bounds)
     xi, weights, cells = rule.xi.ravel(), rule.weights.ravel(), rule.xi.shape
     results = []
-    for coefficients, derivative in (
-        (modes.girder.mass_coefficients, 0),
-        (modes.girder.flexural_rigidity_coefficients, 2),
+    for terms in (
+        kinetic_terms(modes.girder, modes.field, xi, rotary=modes.rotary),
+        strain_terms(modes.girder, modes.field, xi, shear=modes.shear_flexible),
     ):
-        density = modes.field.evaluate(xi, derivative) ** 2 * (rule.of(coefficients) * weights)
-        results.append(density.reshape(-1, *cells).sum(axis=2))
+        density = sum(values**2 * (rule.of(coefficients) * weights) for coefficients, values in terms)
+        results.append(np.asarray(density).reshape(-1, *cells).sum(axis=2))
     return rule, results[0], results[1]
 
 
 def _point_energies(modes: Modes) -> list[tuple[float, Array]]:
-    length = modes.girder.length
-    return [
-        (p.x_m / length, modes.field.evaluate(np.array([p.x_m / length]), 0)[:, 0] ** 2 * (p.mass_kg / length))
-        for p in modes.girder.point_masses
-    ]
+    terms = point_terms(modes.girder, modes.field, rotary=modes.rotary)
+    return [(xi, values**2 * (inertia / modes.girder.length)) for xi, inertia, values in terms]

@@ -27,6 +27,10 @@ Array = NDArray[np.float64]
 _REQUIRED = ("x_m", "mass_kg_per_m", "flexural_rigidity_N_m2")
 _OPTIONAL = ("shear_rigidity_N", "rotary_inertia_kg_m")
 _PROPERTIES = (*_REQUIRED[1:], *_OPTIONAL)
+# what the girder's own messages call a property
+_LABELS = dict(
+    zip(_PROPERTIES, ("mass per length", "flexural rigidity", "shear rigidity", "rotary inertia"), strict=True)
+)
 _KEYS = ("name", "form", "breaks_m", *_PROPERTIES, "point_masses")
 _POINT_KEYS = ("x_m", "mass_kg", "rotary_inertia_kg_m2")
 
@@ -68,13 +72,21 @@ def write_girder(girder: Girder, path: str | os.PathLike[str]) -> None:
         text = girder_csv(girder)
     else:
         raise GirderFileError(f"{file}: the suffix {file.suffix!r} is not known; write .csv or .json.")
+    try:
+        write_whole(file, text)
+    except OSError as error:
+        raise GirderFileError(f"{file}: cannot be written ({error.strerror}).") from None
+
+
+def write_whole(file: Path, text: str) -> None:
+    """Writes a text file whole or not at all: aside, then renamed. Raises OSError."""
     aside = file.with_name(file.name + ".part")
     try:
         aside.write_text(text, encoding="utf-8")
         aside.replace(file)
-    except OSError as error:
+    except OSError:
         aside.unlink(missing_ok=True)
-        raise GirderFileError(f"{file}: cannot be written ({error.strerror}).") from None
+        raise
 
 
 def girder_json(girder: Girder) -> str:
@@ -142,7 +154,8 @@ def _from_csv(text: str, source: str, name: str) -> Girder:
     if len(rows) < 2:
         raise GirderFileError(f"{source}: has {len(rows)} rows of numbers; a girder needs at least 2.")
     columns = dict(zip(header, np.array(rows).T, strict=True))
-    _ascending(columns["x_m"], lines, source)
+    _check_positions(columns["x_m"], lines, source)
+    _check_rigidities(columns, lines, source)
     return Girder(
         columns["x_m"],
         columns["mass_kg_per_m"],
@@ -176,13 +189,42 @@ def _number(cell: str, key: str, where: str) -> float:
     return value
 
 
-def _ascending(x: Array, lines: list[int], source: str) -> None:
-    back = np.flatnonzero(np.diff(x) < 0.0)
+def _check_positions(x: Array, lines: list[int], source: str) -> None:
+    """Refuses what `Girder` would refuse too, where the line can be named."""
+    if x[0] != 0.0:
+        raise GirderFileError(
+            f"{source}, line {lines[0]}: x_m starts at {x[0]:g}; measure it from the aft end, so that it starts at 0."
+        )
+    steps = np.diff(x)
+    back = np.flatnonzero(steps < 0.0)
     if len(back):
         i = int(back[0]) + 1
         raise GirderFileError(
             f"{source}, line {lines[i]}: x_m falls from {x[i - 1]:g} to {x[i]:g}; sort the rows from aft forward."
         )
+    if x[-1] == 0.0:
+        raise GirderFileError(f"{source}, line {lines[-1]}: x_m ends at 0; give x from 0 to the length in metres.")
+    thrice = np.flatnonzero((steps[:-1] == 0.0) & (steps[1:] == 0.0))
+    if len(thrice):
+        i = int(thrice[0]) + 2
+        raise GirderFileError(f"{source}, line {lines[i]}: x_m is {x[i]:g} for the third time; a jump has two rows.")
+    for i, step in ((1, steps[0]), (len(x) - 1, steps[-1])):
+        if step == 0.0:
+            raise GirderFileError(
+                f"{source}, line {lines[i]}: x_m is {x[i]:g}, an end, for the second time; a jump needs girder on both "
+                "sides."
+            )
+
+
+def _check_rigidities(columns: Mapping[str, Array], lines: list[int], source: str) -> None:
+    for key in ("flexural_rigidity_N_m2", "shear_rigidity_N"):
+        empty = np.flatnonzero(columns[key][1:-1] <= 0.0) if key in columns else np.empty(0, dtype=np.intp)
+        if len(empty):
+            i = int(empty[0]) + 1
+            raise GirderFileError(
+                f"{source}, line {lines[i]}: {key} is 0 at x_m = {columns['x_m'][i]:g}; only the two ends of the "
+                "girder may be sharp: give a positive value, however small."
+            )
 
 
 def _from_json(text: str, source: str, name: str) -> Girder:
@@ -192,16 +234,17 @@ def _from_json(text: str, source: str, name: str) -> Girder:
         raise GirderFileError(f"{source}, line {error.lineno}: is not JSON ({error.msg}).") from None
     for key in content:
         if key not in _KEYS:
-            raise GirderFileError(f"{source}: key {key!r} is not known; the keys are {', '.join(_KEYS)}.")
+            where = _place(text, key, source)
+            raise GirderFileError(f"{where}: key {key!r} is not known; the keys are {', '.join(_KEYS)}.")
     for key in ("breaks_m", *_PROPERTIES[:2]):
         if key not in content:
             raise GirderFileError(f"{source}: key {key!r} is missing; a girder.json needs it.")
     label = content.get("name") or name
     if not isinstance(label, str):
-        raise GirderFileError(f"{source}: name is {label!r}; give a text.")
+        raise GirderFileError(f"{_place(text, 'name', source)}: name is {label!r}; give a text.")
     form = content.get("form", "bernstein")
     if form not in ("bernstein", "power"):
-        raise GirderFileError(f"{source}: form is {form!r}; give 'bernstein' or 'power'.")
+        raise GirderFileError(f"{_place(text, 'form', source)}: form is {form!r}; give 'bernstein' or 'power'.")
     build = Girder.from_bernstein if form == "bernstein" else Girder.from_polynomials
     masses = content.get("point_masses", [])
     if not isinstance(masses, list):
@@ -210,10 +253,19 @@ def _from_json(text: str, source: str, name: str) -> Girder:
     try:
         mass, rigidity, shear, rotary = (content.get(key) for key in _PROPERTIES)
         return build(content["breaks_m"], mass, rigidity, shear, rotary, points, label)
+    except GirderError as error:
+        keys = [key for key, label in _LABELS.items() if str(error).startswith(label)]
+        raise GirderFileError(f"{_place(text, keys[0], source) if keys else source}: {error}") from error
     except (TypeError, ValueError) as error:
         raise GirderFileError(
             f"{source}: breaks_m must be a list of numbers, each property one list of coefficients a piece ({error})."
         ) from None
+
+
+def _place(text: str, key: str, source: str) -> str:
+    """Source and line at which a key of a JSON text stands."""
+    position = text.find(f'"{key}"')
+    return source if position < 0 else f"{source}, line {text.count(chr(10), 0, position) + 1}"
 
 
 def _point_mass(entry: Any, where: str) -> PointMass:

@@ -11,11 +11,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hullvib.errors import ArgumentError
-from hullvib.fields import Field
+from hullvib.fields import Field, LoadedField
+from hullvib.forces import InertiaLoads, inertia_loads, section_rotation
 from hullvib.girder import Girder
 
 Array = NDArray[np.float64]
 Normalisation = Literal["largest-amplitude", "unit-modal-mass", "paper"]
+
+SHEAR_THEORIES = ("Timoshenko", "shear-flexible")
+"""Theories with shear strain, with and without rotary inertia."""
 
 _NORMALISATIONS: dict[str, str] = {
     "largest-amplitude": "largest |amplitude| 1, positive at the aft end",
@@ -29,7 +33,9 @@ class Modes:
     """Elastic modes of a girder, lowest first; rigid-body modes are never among them.
 
     angular_frequencies (modes,) in rad/s; modal_mass (modes,) in kg for the normalisation in force; theory and medium
-    say what was solved; method is the record of how (`{"method": "ritz", "functions": 12, ...}`).
+    say what was solved; method is the record of how (`{"method": "ritz", "functions": 12, ...}`); rotary tells whether
+    the girder's rotary inertia took part. A shape is a deflection in metres where its largest value counts as 1 m:
+    rotations are then in rad, moments in N m, shear forces in N.
     """
 
     angular_frequencies: Array
@@ -41,6 +47,7 @@ class Modes:
     normalisation: Normalisation = "largest-amplitude"
     theory: str = "Euler-Bernoulli"
     medium: str = "dry"
+    rotary: bool = False
 
     @property
     def frequencies_hz(self) -> Array:
@@ -56,6 +63,11 @@ class Modes:
     def modal_stiffness(self) -> Array:
         """omega^2 times the modal mass in N/m, (modes,), for the normalisation in force."""
         return self.angular_frequencies**2 * self.modal_mass
+
+    @property
+    def shear_flexible(self) -> bool:
+        """Whether the theory admits shear strain."""
+        return self.theory in SHEAR_THEORIES
 
     @property
     def normalisation_note(self) -> str:
@@ -74,9 +86,36 @@ class Modes:
         """d2Phi/dx2 in 1/m^2 at x (points,) in m, (modes, points)."""
         return self._evaluate(x, 2)
 
+    def rotation(self, x: ArrayLike) -> Array:
+        """Angle psi of the sections in rad/m at x (points,) in m, (modes, points): the slope but for Timoshenko."""
+        return self._rotation(x, 0)
+
+    def bending_curvature(self, x: ArrayLike) -> Array:
+        """d psi/dx in 1/m^2 at x (points,) in m, (modes, points): what EI turns into the bending moment."""
+        return self._rotation(x, 1)
+
+    def shear_strain(self, x: ArrayLike) -> Array:
+        """dPhi/dx - psi in 1/m at x (points,) in m, (modes, points): 0 but for a shear-flexible theory."""
+        return self.slope(x) - self.rotation(x)
+
     def moment(self, x: ArrayLike) -> Array:
-        """EI d2Phi/dx2 in N m per metre of the shape, at x (points,) in m, (modes, points)."""
-        return self.girder.flexural_rigidity(np.atleast_1d(x)) * self.curvature(x)
+        """Bending moment in N m per metre of the shape at x (points,) in m, (modes, points), of the sign of curvature.
+
+        From the equilibrium of the inertia loads (`hullvib.forces`), which is smooth where the curvature is poor;
+        forward of a point mass where one stands, aft of it at the fore end.
+        """
+        xi = self._checked(x)
+        own = self.field.moment(xi) if isinstance(self.field, LoadedField) else self._loads.forces(xi)[0]
+        return np.asarray(self.scale[:, None] * own, dtype=np.float64)
+
+    def shear(self, x: ArrayLike) -> Array:
+        """Shear force V in N per metre of the shape at x (points,) in m, (modes, points), V = omega^2 int_0^x m Phi.
+
+        dM/dx = V where no rotary inertia acts; forward of a point mass where one stands, aft of it at the fore end.
+        """
+        xi = self._checked(x)
+        own = self.field.shear(xi) if isinstance(self.field, LoadedField) else self._loads.forces(xi)[1]
+        return np.asarray(self.scale[:, None] * own, dtype=np.float64)
 
     def normalised(self, normalisation: Normalisation) -> Modes:
         """The same modes scaled anew.
@@ -114,12 +153,23 @@ class Modes:
     def _nodes(self) -> list[Array]:
         return [self.girder.length * xi for xi in zero_positions(self.field, 0, len(self.scale))]
 
-    def _evaluate(self, x: ArrayLike, derivative: int) -> Array:
+    @cached_property
+    def _loads(self) -> InertiaLoads:
+        return inertia_loads(self.girder, self.field, self.angular_frequencies, rotary=self.rotary)
+
+    def _checked(self, x: ArrayLike) -> Array:
         xi = np.atleast_1d(np.asarray(x, dtype=np.float64)) / self.girder.length
         if xi.ndim != 1 or not bool(np.all((xi >= -1e-9) & (xi <= 1.0 + 1e-9))):
             raise ArgumentError(f"x must be one-dimensional and lie within 0 .. {self.girder.length:g} m.")
-        values = self.field.evaluate(np.clip(xi, 0.0, 1.0), derivative)
+        return np.asarray(np.clip(xi, 0.0, 1.0), dtype=np.float64)
+
+    def _evaluate(self, x: ArrayLike, derivative: int) -> Array:
+        values = self.field.evaluate(self._checked(x), derivative)
         return np.asarray(self.scale[:, None] / self.girder.length**derivative * values, dtype=np.float64)
+
+    def _rotation(self, x: ArrayLike, derivative: int) -> Array:
+        values = section_rotation(self.field, self._checked(x), derivative)
+        return np.asarray(self.scale[:, None] / self.girder.length ** (derivative + 1) * values, dtype=np.float64)
 
 
 def zero_positions(field: Field, derivative: int, modes: int) -> list[Array]:
@@ -169,9 +219,18 @@ def largest_amplitude(field: Field) -> Array:
 
 
 def modes_of_field(
-    girder: Girder, angular_frequencies: Array, field: Field, modal_mass_kg: float, method: Mapping[str, Any]
+    girder: Girder,
+    angular_frequencies: Array,
+    field: Field,
+    modal_mass_kg: float,
+    method: Mapping[str, Any],
+    theory: str = "Euler-Bernoulli",
+    *,
+    rotary: bool = False,
 ) -> Modes:
     """Modes in the default normalisation from a field whose functions all have the given modal mass in kg."""
     aft = field.evaluate(np.array([0.0]), 0)[:, 0]
     scale = np.where(aft < 0.0, -1.0, 1.0) / largest_amplitude(field)
-    return Modes(angular_frequencies, scale**2 * modal_mass_kg, girder, field, scale, dict(method))
+    return Modes(
+        angular_frequencies, scale**2 * modal_mass_kg, girder, field, scale, dict(method), theory=theory, rotary=rotary
+    )

@@ -12,11 +12,13 @@ from numpy.typing import NDArray
 from hullvib.bernstein import evaluate
 from hullvib.girder import Girder
 from hullvib.modes import Modes
+from hullvib.sensitivity import mass_sensitivity, rigidity_sensitivity
 from hullvib.uniform_beam import uniform_modes
 
 Array = NDArray[np.float64]
 
 _INK, _ACCENT = "#1b3a57", "#b5532a"
+_COLOURS = (_INK, _ACCENT, "#4f7f3f", "#7d4f8a", "#8a7a2a")
 
 
 def plot_mass(girder: Girder, axes: Axes | None = None) -> Axes:
@@ -58,9 +60,8 @@ def plot_modes(modes: Modes, axes: Axes | None = None, count: int = 3) -> Axes:
     x = np.linspace(0.0, modes.girder.length, 401)
     # the uniform modes have their largest value, 2, at the aft end
     uniform = uniform_modes(x / modes.girder.length, count)[0] / 2.0
-    colours = [_INK, _ACCENT, "#4f7f3f", "#7d4f8a", "#8a7a2a"]
     for n, (own, plain, hz) in enumerate(zip(shown.shape(x), uniform, modes.frequencies_hz, strict=False), 1):
-        colour = colours[(n - 1) % len(colours)]
+        colour = _COLOURS[(n - 1) % len(_COLOURS)]
         axes.plot(x, own, color=colour, linewidth=1.6, label=f"mode {n}, {hz:.3g} Hz")
         axes.plot(x, plain, color=colour, linewidth=1.1, linestyle=":")
     axes.plot([], [], color="0.4", linewidth=1.1, linestyle=":", label="uniform beam")
@@ -73,11 +74,56 @@ def plot_modes(modes: Modes, axes: Axes | None = None, count: int = 3) -> Axes:
     return _finish(axes, modes.girder, "mode shape Φ(x), -")
 
 
+def plot_mass_sensitivity(modes: Modes, axes: Axes | None = None, count: int = 3) -> Axes:
+    """Draws how much a tonne put at x lowers each of the first frequencies, in mHz; returns the axes."""
+    x = _dense(modes.girder)
+    values = mass_sensitivity(modes, x) * (1e3 * 1e3 / (2.0 * np.pi))
+    return _sensitivity(modes, x, values, "a tonne at x, mHz", _axes(axes), count)
+
+
+def plot_rigidity_sensitivity(modes: Modes, axes: Axes | None = None, count: int = 3) -> Axes:
+    """Draws how much one per cent more EI over a metre at x raises each of the first frequencies, in mHz."""
+    x = _dense(modes.girder)
+    plated = 0.01 * modes.girder.flexural_rigidity(x)
+    values = rigidity_sensitivity(modes, x) * plated * (1e3 / (2.0 * np.pi))
+    return _sensitivity(modes, x, values, "1 % of EI over a metre, mHz", _axes(axes), count)
+
+
+def draw_sensitivity(modes: Modes, count: int = 3, width: float = 7.0, height: float = 5.6) -> Figure:
+    """A figure that tells where a tonne and where plating moves which mode: both curves over the same x."""
+    figure = Figure(figsize=(width, height), layout="constrained")
+    upper, lower = figure.subplots(2, 1, sharex=True)
+    plot_mass_sensitivity(modes, upper, count)
+    plot_rigidity_sensitivity(modes, lower, count)
+    upper.set_xlabel("")
+    lower.set_title("")
+    lower.get_legend().remove()
+    return figure
+
+
 def draw(painter: Callable[[Axes], Axes], width: float = 7.0, height: float = 3.6) -> Figure:
     """A figure of the given size in inches that holds what one painter draws, laid out without overlap."""
     figure = Figure(figsize=(width, height), layout="constrained")
     painter(figure.subplots())
     return figure
+
+
+def _dense(girder: Girder) -> Array:
+    """Points close enough for any mode that is drawn, with both sides of every breakpoint and point mass."""
+    marks = np.array([*girder.breaks[1:-1], *(p.x_m for p in girder.point_masses)])
+    sides = np.concatenate([marks - 1e-7 * girder.length, marks + 1e-7 * girder.length])
+    x = np.concatenate([np.linspace(0.0, girder.length, 801), sides])
+    return np.unique(np.clip(x, 0.0, girder.length))
+
+
+def _sensitivity(modes: Modes, x: Array, values: Array, label: str, axes: Axes, count: int) -> Axes:
+    shown = list(zip(values, modes.frequencies_hz, strict=True))[:count]
+    for n, (curve, hz) in enumerate(shown, 1):
+        colour = _COLOURS[(n - 1) % len(_COLOURS)]
+        axes.plot(x, curve, color=colour, linewidth=1.6, label=f"mode {n}, {hz:.3g} Hz")
+    axes.axhline(0.0, color="0.7", linewidth=0.8, zorder=0)
+    axes.legend(fontsize=8, frameon=False, loc="best", title=f"{modes.theory}, {modes.medium}", title_fontsize=8)
+    return _finish(axes, modes.girder, f"change of frequency by\n{label}")
 
 
 def _axes(axes: Axes | None) -> Axes:

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Protocol
 
+from hullvib.bounds import bracket
+from hullvib.errors import ArgumentError, NotProven, SolutionError
 from hullvib.girder import Girder
 from hullvib.modes import Modes
-from hullvib.ritz import Ritz
+from hullvib.stodola import StodolaRitz
+
+_FUNCTIONS = (8, 12, 16, 24, 32, 48, 64, 96)
+"""Numbers of trial functions tried in turn for an asked tolerance."""
 
 
 class Method(Protocol):
@@ -17,10 +23,44 @@ class Method(Protocol):
         ...
 
 
-def solve(girder: Girder, method: Method | None = None, modes: int = 5) -> Modes:
+def solve(girder: Girder, method: Method | None = None, modes: int = 5, *, tolerance: float | None = None) -> Modes:
     """Natural frequencies and shapes of the first elastic modes of a free-free girder in vertical bending, dry.
 
-    Arguments: girder; method, `Ritz()` by default, `FiniteElements()` or `Ritz(rigid_body=False)`; modes, how many.
-    Raises ArgumentError where the method cannot give so many modes, SolutionError where the girder has not so many.
+    Arguments: girder; method, `StodolaRitz()` by default; modes, how many; tolerance, instead of a method: the number
+    of functions is then chosen so that the relative width (upper - lower) / upper of the bracket of every frequency is
+    below it, and `Modes.method` says what was used and whether that is proven. Where no bracket can be proven, the
+    change from the number of functions before takes its place.
+    Raises ArgumentError where the method cannot give so many modes, SolutionError where the girder has not so many or
+    the tolerance is not reached.
     """
-    return (Ritz() if method is None else method).solve(girder, modes)
+    if tolerance is None:
+        return (StodolaRitz() if method is None else method).solve(girder, modes)
+    if method is not None:
+        raise ArgumentError("a method and a tolerance were given; a tolerance chooses the method's settings itself.")
+    if not tolerance > 0.0:
+        raise ArgumentError(f"tolerance is {tolerance}; give a positive relative width, 1e-6 for instance.")
+    return _to_tolerance(girder, modes, tolerance)
+
+
+def _to_tolerance(girder: Girder, modes: int, tolerance: float) -> Modes:
+    previous, reached = None, float("inf")
+    for functions in (n for n in _FUNCTIONS if n >= modes + 3):
+        result = StodolaRitz(functions).solve(girder, modes)
+        proven = True
+        try:
+            width = float(bracket(result).relative_width.max())
+        except NotProven:
+            proven = False
+            if previous is None:
+                previous = result
+                continue
+            # upper bounds fall with every function added; what they fell by exceeds what they still will
+            width = float((previous.angular_frequencies / result.angular_frequencies - 1.0).max())
+        if width <= tolerance:
+            record = {"tolerance": tolerance, "relative_width": max(width, 0.0), "proven": proven}
+            return replace(result, method={**result.method, **record})
+        previous, reached = result, min(reached, width)
+    raise SolutionError(
+        f"the relative width {tolerance:g} is not reached for {modes} modes with up to {_FUNCTIONS[-1]} functions "
+        f"(the best is {reached:.1e}); ask for fewer modes or a wider tolerance."
+    )

@@ -5,6 +5,7 @@ import json
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 from hullvib import Girder, PointMass, write_girder
@@ -28,17 +29,24 @@ def test_table(file, capsys):
     out, err = capsys.readouterr()
     assert err == ""
     lines = out.splitlines()
-    assert lines[0].startswith("uniform: 100 m, 5000 t; Euler-Bernoulli, dry; ritz")
-    assert lines[1].split() == ["mode", "Hz", "cycles/min", "rad/s", "nodes"]
-    assert lines[2].split() == ["1", "5.0358", "302.15", "31.6406", "2"]
-    assert len(lines) == 5
+    assert lines[0].startswith("uniform: 100 m, 5000 t; Euler-Bernoulli, dry; stodola ritz (functions 12, steps 2)")
+    assert lines[1].split() == ["mode", "Hz", "cycles/min", "rad/s", "nodes", "numerical", "error"]
+    assert lines[2].split()[:-1] == ["1", "5.0358", "302.15", "31.6406", "2", "below"]
+    # the exact function is among the trial functions: what is charged for round-off is left
+    assert 0 < float(lines[2].split()[-1]) <= 1e-6
+    assert lines[5] == (
+        "The numerical error is that of the beam solution, proven; it says nothing of the girder's data."
+    )
+    assert len(lines) == 6
 
 
 @pytest.mark.parametrize(
     ("options", "expected"),
     [
-        ([], {"method": "ritz", "functions": 12, "rigid_body": True}),
-        (["--functions", "8"], {"method": "ritz", "functions": 8}),
+        ([], {"method": "stodola_ritz", "functions": 12, "steps": 2}),
+        (["--functions", "8", "--steps", "3"], {"method": "stodola_ritz", "functions": 8, "steps": 3}),
+        (["--method", "ritz"], {"method": "ritz", "functions": 12, "rigid_body": True}),
+        (["--method", "ritz", "--basis", "legendre"], {"method": "ritz", "functions": 12, "basis": "legendre"}),
         (["--method", "fem"], {"method": "finite_element", "elements": 100}),
         (["--method", "fem", "--elements", "40"], {"method": "finite_element", "elements": 40}),
     ],
@@ -50,6 +58,8 @@ def test_json(file, capsys, options, expected):
     (solution,) = content["solutions"]
     assert solution.items() >= {**expected, "theory": "Euler-Bernoulli", "medium": "dry"}.items()
     assert solution["node_counts"] == [2, 3, 4, 5]
+    assert np.less_equal(solution["lower_rad_s"], solution["upper_rad_s"]).all()
+    assert solution["proof"]
     # 40 elements leave 1.5e-7 on mode 1
     assert solution["frequencies_hz"][0] == pytest.approx(FIRST_HZ, rel=1e-6)
     assert solution["frequencies_rad_s"][0] == pytest.approx(31.64061, rel=1e-6)
@@ -94,7 +104,7 @@ def test_too_many_modes_and_a_missing_file_are_exit_code_1(file, capsys):
 @pytest.mark.parametrize(
     "arguments",
     [[], ["solve"], ["solve", "g.csv", "--method", "magic"], ["solve", "g.csv", "--elements", "5"],
-     ["solve", "g.csv", "--method", "fem", "--functions", "5"]],
+     ["solve", "g.csv", "--method", "fem", "--functions", "5"], ["solve", "g.csv", "--method", "ritz", "--shear"]],
 )  # fmt: skip
 def test_wrong_usage_is_exit_code_2(arguments, capsys):
     with pytest.raises(SystemExit) as stop:
