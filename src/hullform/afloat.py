@@ -14,6 +14,10 @@ from hullform.loading.weights import KG_PER_T, LightShip, condition_items, light
 from hullform.ship import ConditionInput, Ship, StructureInput, WeightsInput
 from hullvib.girder import Girder
 
+# Of everything on board about the neutral axis, over the depth: a hull full of weights spread evenly has 0.29 of its
+# depth, one with most of it in bottom and deck up to 0.5.
+RADIUS_OF_GYRATION = 0.35
+
 
 @dataclass(frozen=True, eq=False)
 class ConditionAfloat:
@@ -22,7 +26,7 @@ class ConditionAfloat:
     Attributes:
         condition: what ship.toml says of it.
         items: its weights.
-        girder: m(x) and EI(x).
+        girder: m(x), EI(x), k G A(x) and rotary inertia.
         floating: hydrostatics at the even-keel draught of its mass (at the depth, where she would sink).
         checks: of floating.
     """
@@ -111,7 +115,14 @@ def _afloat(
 ) -> ConditionAfloat:
     items = condition_items(condition, light, hull, ship.particulars.draught_m)
     name = f"{ship.particulars.name}, {condition.title}"
-    girder = girder_from(name, items, structure.x_m, structure.flexural_rigidity)
+    girder = girder_from(
+        name,
+        items,
+        structure.x_m,
+        structure.flexural_rigidity,
+        structure.shear_rigidity,
+        RADIUS_OF_GYRATION * ship.particulars.depth_m,
+    )
     mass, density, depth = girder.total_mass, ship.water.density_kg_m3, hull.depth_amidships_m
     capacity = hull.hydrostatics(depth, density).displacement_kg
     draught = depth if mass > capacity else hull.draught_for(mass, density)

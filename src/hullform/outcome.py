@@ -19,6 +19,7 @@ from hullform.loading.structure import Structure
 from hullform.loading.weights import LightShip
 from hullform.ship import ConditionInput, Ship
 from hullvib import distortion
+from hullvib.bounds import Bracket
 from hullvib.girder import Girder
 from hullvib.modes import Modes
 
@@ -60,7 +61,9 @@ class ConditionRun:
         girder: m(x) and EI(x).
         floating: hydrostatics at the even-keel draught of its mass (at the depth, where it would sink).
         checks: what holds and what does not.
-        solutions: by 'ritz', 'ritz_elastic_only' and 'finite_element', the modes of the dry Euler-Bernoulli girder.
+        solutions: dry modes, by name: of the Euler-Bernoulli girder 'stodola_ritz', 'ritz', 'ritz_elastic_only' (the
+            paper's basis) and 'finite_element'; with shear deflection 'shear'; with rotary inertia too 'timoshenko'.
+        bracket: proven bounds of the Euler-Bernoulli frequencies, or in words why there are none.
         convergence_rad_s: number of Ritz functions to the first frequencies, with the rigid-body functions.
         elastic_only_convergence_rad_s: the same in the paper's basis.
         distortion: how the modes differ from the uniform beam's.
@@ -73,6 +76,7 @@ class ConditionRun:
     floating: Hydrostatics
     checks: tuple[Check, ...]
     solutions: Mapping[str, Modes]
+    bracket: Bracket | str
     convergence_rad_s: Mapping[int, Array]
     elastic_only_convergence_rad_s: Mapping[int, Array]
     distortion: Distortion
@@ -85,7 +89,12 @@ class ConditionRun:
 
     @property
     def modes(self) -> Modes:
-        """The headline: Ritz with the rigid-body functions."""
+        """The headline: with shear deflection."""
+        return self.solutions["shear"]
+
+    @property
+    def euler_modes(self) -> Modes:
+        """The Euler-Bernoulli girder by plain Ritz, whose weights of uniform modes the distortion speaks of."""
         return self.solutions["ritz"]
 
 

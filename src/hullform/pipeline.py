@@ -17,17 +17,21 @@ from hullform.loading.weights import KG_PER_T
 from hullform.outcome import ConditionRun, Distortion, Run
 from hullform.ship import Ship
 from hullvib import distortion
+from hullvib.bounds import Bracket, bracket
+from hullvib.errors import NotProven
 from hullvib.finite_elements import FiniteElements
 from hullvib.girder import Girder
 from hullvib.modes import Modes
 from hullvib.ritz import Ritz
 from hullvib.solving import solve
+from hullvib.stodola import StodolaRitz
+from hullvib.timoshenko_elements import TimoshenkoElements
 
 Array = NDArray[np.float64]
 Progress = Callable[[str], None]
 
 MODES = 5
-RITZ_FUNCTIONS = 12
+FUNCTIONS = 12
 ELEMENTS = 100
 CONVERGENCE = range(4, 13)
 CONVERGENCE_MODES = 3
@@ -116,24 +120,35 @@ def run_ship(ship: Ship, progress: Progress = lambda step: None) -> Run:
 
 def _vibrate(ship: Ship, afloat: ShipAfloat, condition: ConditionAfloat) -> ConditionRun:
     girder, floating = condition.girder, condition.floating
-    modes = solve(girder, Ritz(functions=RITZ_FUNCTIONS), modes=MODES)
-    frequency = checks.check_frequency(float(modes.frequencies_hz[0]), girder.length)
+    solutions = {
+        "stodola_ritz": solve(girder, StodolaRitz(functions=FUNCTIONS), modes=MODES),
+        "ritz": solve(girder, Ritz(functions=FUNCTIONS), modes=MODES),
+        "ritz_elastic_only": solve(girder, Ritz(functions=FUNCTIONS, rigid_body=False), modes=MODES),
+        "finite_element": solve(girder, FiniteElements(elements=ELEMENTS), modes=MODES),
+        "shear": solve(girder, StodolaRitz(functions=FUNCTIONS, shear=True), modes=MODES),
+        "timoshenko": solve(girder, TimoshenkoElements(elements=ELEMENTS), modes=MODES),
+    }
+    frequency = checks.check_frequency(float(solutions["shear"].frequencies_hz[0]), girder.length)
     return ConditionRun(
         condition=condition.condition,
         items=condition.items,
         girder=girder,
         floating=floating,
         checks=(*condition.checks, frequency),
-        solutions={
-            "ritz": modes,
-            "ritz_elastic_only": solve(girder, Ritz(functions=RITZ_FUNCTIONS, rigid_body=False), modes=MODES),
-            "finite_element": solve(girder, FiniteElements(elements=ELEMENTS), modes=MODES),
-        },
+        solutions=solutions,
+        bracket=_bracket(solutions["stodola_ritz"]),
         convergence_rad_s=_convergence(girder, rigid_body=True),
         elastic_only_convergence_rad_s=_convergence(girder, rigid_body=False),
-        distortion=_distortion(modes),
+        distortion=_distortion(solutions["ritz"]),
         empirical=in_water_figures(ship, afloat.structure, girder.total_mass / KG_PER_T, floating.draught_m),
     )
+
+
+def _bracket(modes: Modes) -> Bracket | str:
+    try:
+        return bracket(modes)
+    except NotProven as reason:
+        return str(reason)
 
 
 def _convergence(girder: Girder, *, rigid_body: bool) -> dict[int, Array]:

@@ -70,14 +70,18 @@ class StructureRecord(_Table):
 
     midship_shell_second_moment_m4: Finite
     thickness_factor: Finite
+    midship_shell_shear_area_m2: Finite
+    shear_factor: Finite
     equivalent_thickness_m: Finite
     youngs_modulus_pa: Finite
+    shear_modulus_pa: Finite
     stations_at_the_floor: int
     x_m: list[Finite]
     girth_m: list[Finite]
     area_m2: list[Finite]
     neutral_axis_m: list[Finite]
     second_moment_m4: list[Finite]
+    shear_area_m2: list[Finite]
 
 
 class LightShipRecord(_Table):
@@ -98,12 +102,26 @@ class Solution(_Table):
     theory: str
     medium: str
     functions: int | None = None
+    steps: int | None = None
     rigid_body: bool | None = None
+    basis: str | None = None
     elements: int | None = None
     solver: str | None = None
+    rotary_inertia: bool | str | None = None
     frequencies_rad_s: Frequencies
+    frequencies_hz: Frequencies
     node_counts: list[int]
     nodes_m: list[list[Finite]]
+    modal_mass_kg: list[Finite]
+    normalisation: str
+
+
+class BracketRecord(_Table):
+    """Two-sided bounds of the Euler-Bernoulli frequencies; null where nothing is proven, and `proof` says why."""
+
+    lower: Frequencies | None
+    upper: Frequencies | None
+    proof: str
 
 
 class Headline(_Table):
@@ -151,6 +169,7 @@ class ConditionRecord(_Table):
     checks: list[CheckRecord]
     doubts: list[str]
     dry_rad_s: dict[str, Frequencies]
+    bracket_rad_s: BracketRecord
     empirical_rad_s: dict[str, Frequencies]
     empirical_inputs: dict[str, Finite]
     headline: Headline

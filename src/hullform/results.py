@@ -18,6 +18,7 @@ from hullform.checks import Check
 from hullform.files import PROGRAM
 from hullform.outcome import Array, ConditionRun, Run
 from hullform.records import (
+    BracketRecord,
     CheckRecord,
     ConditionRecord,
     DistortionRecord,
@@ -32,7 +33,8 @@ from hullform.records import (
     StructureRecord,
     WeightRecord,
 )
-from hullvib.modes import Modes
+from hullvib.bounds import Bracket
+from hullvib.mode_files import solution_record
 
 
 def results_of(run: Run) -> Results:
@@ -113,14 +115,18 @@ def _structure(run: Run) -> StructureRecord:
     return StructureRecord(
         midship_shell_second_moment_m4=structure.midship_shell_second_moment_m4,
         thickness_factor=structure.thickness_factor,
+        midship_shell_shear_area_m2=structure.midship_shell_shear_area_m2,
+        shear_factor=structure.shear_factor,
         equivalent_thickness_m=structure.equivalent_thickness_m,
         youngs_modulus_pa=structure.youngs_modulus_pa,
+        shear_modulus_pa=structure.shear_modulus_pa,
         stations_at_the_floor=structure.floored,
         x_m=structure.x_m.tolist(),
         girth_m=structure.girth_m.tolist(),
         area_m2=structure.area_m2.tolist(),
         neutral_axis_m=structure.neutral_axis_m.tolist(),
         second_moment_m4=structure.second_moment_m4.tolist(),
+        shear_area_m2=structure.shear_area_m2.tolist(),
     )
 
 
@@ -137,15 +143,10 @@ def _light_ship(run: Run) -> LightShipRecord:
     )
 
 
-def _solution(modes: Modes) -> Solution:
-    return Solution(
-        **modes.method,
-        theory=modes.theory,
-        medium=modes.medium,
-        frequencies_rad_s=modes.angular_frequencies.tolist(),
-        node_counts=modes.node_counts.tolist(),
-        nodes_m=[nodes.tolist() for nodes in modes.nodes()],
-    )
+def _bracket(bracket: Bracket | str) -> BracketRecord:
+    if isinstance(bracket, str):
+        return BracketRecord(lower=None, upper=None, proof=bracket)
+    return BracketRecord(lower=bracket.lower.tolist(), upper=bracket.upper.tolist(), proof=bracket.proof)
 
 
 def _condition(run: ConditionRun) -> ConditionRecord:
@@ -164,10 +165,11 @@ def _condition(run: ConditionRun) -> ConditionRecord:
         checks=_checks(run.checks),
         doubts=[check.doubt for check in run.checks if not check.ok],
         dry_rad_s={name: found.angular_frequencies.tolist() for name, found in run.solutions.items()},
+        bracket_rad_s=_bracket(run.bracket),
         empirical_rad_s={name: found.tolist() for name, found in run.empirical.figures_rad_s.items()},
         empirical_inputs=dict(run.empirical.inputs),
         headline=Headline(medium=modes.medium, theory=modes.theory, frequencies_hz=modes.frequencies_hz.tolist()),
-        solutions=[_solution(found) for found in run.solutions.values()],
+        solutions=[Solution.model_validate(solution_record(found)) for found in run.solutions.values()],
         convergence={
             "ritz": _by_functions(run.convergence_rad_s),
             "ritz_elastic_only": _by_functions(run.elastic_only_convergence_rad_s),

@@ -171,6 +171,7 @@ class StructureInput(_Table):
     density_kg_m3: Positive = 7850.0
     shell_thickness_m: ShellThickness = 0.016
     midship_second_moment_m4: Positive | None = None
+    midship_shear_area_m2: Positive | None = None
 
 
 class WeightsInput(_Table):

@@ -12,7 +12,6 @@ from pydantic import BaseModel
 RESERVED = {
     "body_plan": {"mesh", "offsets", "aft_station_names", "fore_station_names", "station_names"},
     "hull": {"sections"},
-    "structure": {"midship_shear_area_m2"},
     "conditions": {"items", "draught_aft_m", "draught_fore_m"},
     "water": {"depth_m"},
     "": {"excitation", "operation"},

@@ -162,3 +162,34 @@ def test_the_midship_second_moment_is_the_given_one(finished_run: Runs, ship: st
     # the bare shell lies below the sharp-cornered hollow box and above the one with p = q = 6 of the same B and D
     box, rounded = {"scim-containership": (117.47, 105.94), "ds-tanker": (188.85, 170.87)}[ship]
     assert rounded < structure["midship_shell_second_moment_m4"] < box
+
+
+@pytest.mark.parametrize(("ship", "condition"), CONDITIONS)
+def test_the_bracket_holds_the_finite_element_frequencies(finished_run: Runs, ship: str, condition: str) -> None:
+    run = finished_run(ship)
+    found = run.results["conditions"][condition]
+    lower, upper = (np.array(found["bracket_rad_s"][side]) for side in ("lower", "upper"))
+    assert ((upper - lower) / upper)[:3].max() <= 1e-6
+    # upper bounds too, of one Stodola step fewer than the bracket's
+    assert (lower <= np.array(found["dry_rad_s"]["stodola_ritz"])).all()
+    fine = solve(read_girder(run.folder / f"girder-{condition}.json"), FiniteElements(elements=800), modes=3)
+    # finite elements bound from above too; 800 are good to 1e-8, and their own round-off is below that
+    assert (fine.angular_frequencies >= lower[:3]).all()
+    assert fine.angular_frequencies == pytest.approx(upper[:3], rel=1e-6)
+
+
+@pytest.mark.parametrize(("ship", "condition"), CONDITIONS)
+def test_shear_and_rotary_inertia_lower_every_mode(finished_run: Runs, ship: str, condition: str) -> None:
+    dry = finished_run(ship).results["conditions"][condition]["dry_rad_s"]
+    assert (np.array(dry["shear"]) < np.array(dry["stodola_ritz"])).all()
+    assert (np.array(dry["timoshenko"]) < np.array(dry["shear"])).all()
+
+
+@pytest.mark.parametrize("ship", SHIPS)
+def test_the_headline_is_the_shear_flexible_girder(finished_run: Runs, ship: str) -> None:
+    for condition in finished_run(ship).results["conditions"].values():
+        headline = condition["headline"]
+        assert (headline["medium"], headline["theory"]) == ("dry", "shear-flexible")
+        np.testing.assert_allclose(
+            2 * np.pi * np.array(headline["frequencies_hz"]), condition["dry_rad_s"]["shear"], rtol=1e-14
+        )

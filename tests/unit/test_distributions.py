@@ -51,7 +51,7 @@ def test_the_girder_carries_every_items_mass_and_first_moment() -> None:
         shaped("steel", 3e6, X, 5 + np.sin(X / 20) ** 2, ends=(3.0, 0.0)),
         shaped("cargo", 7e6, X, X * (100 - X), 20.0, 90.0),
     )
-    girder = girder_from("test", items, X, np.full(101, 1e12))
+    girder = girder_from("test", items, X, np.full(101, 1e12), np.full(101, 1e10), 4.0)
     mass = sum(item.mass_kg for item in items)
     moment = sum(item.moment_kg_m for item in items)
     # sums of a few hundred terms: round-off of 1e-13 at most
@@ -63,5 +63,15 @@ def test_the_girder_carries_every_items_mass_and_first_moment() -> None:
 
 def test_breakpoints_that_round_off_keeps_apart_become_one() -> None:
     items = (uniform("a", 1.0, 0.0, 100.0), uniform("b", 1.0, 0.0, 0.3 * 100 + 4e-15))
-    girder = girder_from("test", items, X, np.full(101, 1e12))
+    girder = girder_from("test", items, X, np.full(101, 1e12), np.full(101, 1e10), 4.0)
     assert np.diff(girder.breaks).min() > 0.5
+
+
+def test_rotary_inertia_is_the_mass_times_the_square_of_the_radius() -> None:
+    items = (uniform("hull", 1e6, 0.0, 100.0), shaped("plates", 1e4, X, np.ones(101), ends=(3.0, 0.0)))
+    girder = girder_from("test", items, X, np.full(101, 1e12), np.full(101, 1e10), 4.0)
+    x = np.array([5.0, 50.0, 99.0])
+    assert girder.rotary_inertia(x) == pytest.approx(16.0 * girder.mass_per_length(x), rel=1e-12)
+    (plate,) = girder.point_masses
+    assert plate.rotary_inertia_kg_m2 == pytest.approx(16.0 * plate.mass_kg, rel=1e-12)
+    assert girder.shear_rigidity(x) == pytest.approx([1e10] * 3, rel=1e-12)

@@ -144,8 +144,8 @@ def test_flow_keeps_two_curves_apart_that_touch() -> None:
     tracklets = find_tracklets(find_peaks(ink, 2.0))
     top = np.full(len(tracklets), 200.0)
     mask = np.zeros(ink.shape, np.uint8)
-    paths = find_paths(tracklets, ink, mask, frame, 2.0, top, most=5)
-    assert len(paths) == 2
+    paths, unlisted = find_paths(tracklets, ink, mask, frame, 2.0, top, most=5)
+    assert (len(paths), unlisted) == (2, 0)
     for path in paths:
         row = np.concatenate([tracklets[i].row for i in path.tracklets]) - middle
         assert np.all(row > -0.8) or np.all(row < 0.8)  # neither crosses over

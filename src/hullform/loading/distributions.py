@@ -121,12 +121,35 @@ def merged_breaks(parts: Iterable[Array]) -> Array:
     return np.asarray(breaks[apart], dtype=np.float64)
 
 
-def girder_from(name: str, items: tuple[Distribution, ...], x_m: Array, flexural_rigidity: Array) -> Girder:
-    """The girder that carries all items, with EI linear between (x_m, flexural_rigidity), in N m2."""
+def girder_from(
+    name: str,
+    items: tuple[Distribution, ...],
+    x_m: Array,
+    flexural_rigidity: Array,
+    shear_rigidity: Array,
+    radius_of_gyration_m: float,
+) -> Girder:
+    """The girder that carries all items.
+
+    Args:
+        name: of the girder.
+        items: its weights.
+        x_m: (n,) stations between which EI and k G A are linear.
+        flexural_rigidity, shear_rigidity: (n,) EI in N m2, k G A in N.
+        radius_of_gyration_m: of everything on board about the neutral axis; the rotary inertia is m(x)
+            times its square.
+    """
     breaks = merged_breaks([item.x_m for item in items if item.left_kg_per_m.size] + [x_m[[0, -1]]])
     ends = [item.at_piece_ends(breaks) for item in items]
     left, right = (np.sum([pair[side] for pair in ends], axis=0) for side in (0, 1))
     mass_x = np.repeat(breaks, 2)[1:-1]
     mass = np.column_stack([left, right]).ravel()
-    points = tuple(PointMass(x, kg) for item in items for x, kg in item.points)
-    return Girder.from_tables(mass=(mass_x, mass), rigidity=(x_m, flexural_rigidity), point_masses=points, name=name)
+    square = radius_of_gyration_m**2
+    return Girder.from_tables(
+        mass=(mass_x, mass),
+        rigidity=(x_m, flexural_rigidity),
+        shear_rigidity=(x_m, shear_rigidity),
+        rotary_inertia=(mass_x, square * mass),
+        point_masses=tuple(PointMass(x, kg, square * kg) for item in items for x, kg in item.points),
+        name=name,
+    )

@@ -132,8 +132,8 @@ def calibrate(
         # the outermost ink is a line's edge, up to three pixels beyond its axis
         if abs(measured / (breadth_m / 2) - 1) > LARGEST_DISAGREEMENT + 3 / half_breadth_px:
             doubts.append(
-                f"scale: at {calibration.metres_per_px:.6g} m per px the outermost line lies {measured:.2f} m from the "
-                f"centre line, but B/2 is {breadth_m / 2:.2f} m; check breadth_m and the calibration"
+                f"scale: the outermost line lies {measured:.2f} m from the centre line, but B/2 is "
+                f"{breadth_m / 2:.2f} m; check breadth_m and the calibration"
             )
     frame = _frame(horizontal, vertical, calibration, breadth_m)
     grid_m = (grid.across_m, grid.up_m) if grid is not None else None

@@ -37,6 +37,8 @@ COST_OF_END_ON_INK = 1200.0  # more, for ink ahead
 COST_AT_SIDE = 12.0  # ends in the line of B/2, which goes on to the deck
 MARGIN_OF_ORDER = 0.02  # of B/2: starts nearer than this to an axis lie on it
 REWARD_OF_MARK = 1500.0  # for the tracklet under a user's mark
+MOST_UNLISTED = 8  # curves beyond the listed stations that are looked for
+LEAST_GAIN_UNLISTED = 20.0  # of each of them, px of ink: half of the shortest station that is drawn
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,8 +82,8 @@ def find_paths(
     top_px: Array,
     most: int,
     marks: tuple[tuple[float, float], ...] = (),
-) -> list[Path]:
-    """The curves of one half, at most `most`, each worth more than it costs.
+) -> tuple[list[Path], int]:
+    """The curves of one half, at most `most`, each worth more than it costs, and how many more there seem to be.
 
     Args:
         tracklets: of the half.
@@ -91,9 +93,12 @@ def find_paths(
         top_px: (len(tracklets),) height of the deck edge over the last end of each, px of the drawing.
         most: number of stations that the half may show.
         marks: (column, row) of points that a user put on curves.
+
+    Returns:
+        the curves, and the number of further ones that a flow of more units finds and that gain as a station does.
     """
     if not tracklets:
-        return []
+        return [], 0
     scale = frame.half_breadth_px / REFERENCE_PX
     first, last = Ends.of(tracklets, last=False), Ends.of(tracklets, last=True)
     source, target, link_cost = _links(tracklets, first, last, mask, frame, scale)
@@ -107,14 +112,39 @@ def find_paths(
     share = length * (0.02 + 0.4 * spare) + 0.5
     for index in _marked(tracklets, marks):
         reward[index] -= REWARD_OF_MARK * scale
-    flows = _solve(reward, share, source, target, link_cost, entry, leave, most)
-    if flows is None:
-        return []
-    links, entries, exits = flows
+
+    def solve(units: int) -> Flow | None:
+        return _solve(reward, share, source, target, link_cost, entry, leave, units)
+
+    flow = solve(most)
+    if flow is None:
+        return [], 0
+    unlisted = 0
+    if flow.units == most:  # the bound may have kept curves out
+        before = flow
+        while unlisted < MOST_UNLISTED and (further := solve(most + unlisted + 1)) is not None:
+            if further.units == before.units or before.cost - further.cost < LEAST_GAIN_UNLISTED * scale:
+                break
+            unlisted, before = unlisted + 1, further
+    links, entries, exits = flow.links, flow.entries, flow.exits
     walks = _decompose(tracklets, first, last, frame, source, target, links, entries, exits)
-    return [
-        Path(tuple(walk), float(entry[walk[0]] - COST_OF_CURVE * scale + leave[walk[-1]]) / scale) for walk in walks
-    ]
+    ends = [float(entry[walk[0]] - COST_OF_CURVE * scale + leave[walk[-1]]) / scale for walk in walks]
+    return [Path(tuple(walk), cost) for walk, cost in zip(walks, ends, strict=True)], unlisted
+
+
+@dataclass(frozen=True, eq=False)
+class Flow:
+    """Units on links, into and out of tracklets, and their whole cost (px of ink, negative where it pays)."""
+
+    links: Indices
+    entries: Indices
+    exits: Indices
+    cost: float
+
+    @property
+    def units(self) -> int:
+        """Number of curves."""
+        return int(self.entries.sum())
 
 
 def _marked(tracklets: list[Tracklet], marks: tuple[tuple[float, float], ...]) -> list[int]:
@@ -197,8 +227,8 @@ def _exit_cost(last: Ends, ink: Ink, frame: DiagonalFrame, top_px: Array, scale:
 
 def _solve(
     reward: Array, share: Array, source: Indices, target: Indices, link: Array, entry: Array, leave: Array, most: int
-) -> tuple[Indices, Indices, Indices] | None:
-    """The cheapest flow of at most `most` units: flows on links, into and out of tracklets."""
+) -> Flow | None:
+    """The cheapest flow of at most `most` units."""
     n, m = len(reward), len(link)
     cost = np.concatenate([reward, share, link, entry, leave])
     upper = np.concatenate([np.ones(n), np.full(n, most - 1.0), np.full(m + 2 * n, float(most))])
@@ -233,7 +263,7 @@ def _solve(
     if result.x is None:
         return None
     x = np.round(result.x).astype(np.int64)
-    return x[links:entries], x[entries:exits], x[exits:]
+    return Flow(x[links:entries], x[entries:exits], x[exits:], float(result.fun))
 
 
 def _decompose(

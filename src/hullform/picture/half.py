@@ -35,6 +35,7 @@ class HalfReading:
         curves: (n, 2) [y, z] of each, px of the drawing, keel to deck.
         confidences: 0..1 of each.
         sheer: the deck edge, or None where none was found.
+        unlisted: number of curves that were seen beyond the stations that are listed.
     """
 
     half: Half
@@ -43,6 +44,12 @@ class HalfReading:
     confidences: tuple[float, ...]
     sheer: SheerLine | None
     line_width_px: float
+    unlisted: int = 0
+
+    @property
+    def seen(self) -> int:
+        """Number of curves that were seen, traced or not."""
+        return len(self.curves) + self.unlisted
 
 
 def read_half(
@@ -91,11 +98,12 @@ def read_half(
     end_y, _ = frame.to_drawing(ends[:, 0], ends[:, 1])
     top = sheer.at(end_y) if sheer is not None else np.full(len(tracklets), depth_px)
     seeds = tuple((float(c), float(r)) for c, r in (frame.from_drawing(y, z) for y, z in marks))
-    paths = find_paths(tracklets, here, hidden, frame, single, top, most, seeds)
+    paths, unlisted = find_paths(tracklets, here, hidden, frame, single, top, most, seeds)
     traces = smooth_traces(paths, tracklets, single, frame)
     level = depth_px if deck_line else None
     curves = tuple(np.column_stack(finish(trace, frame, here, sheer, level)) for trace in traces)
-    return HalfReading(half, frame, curves, tuple(_confidence(trace) for trace in traces), sheer, width)
+    confidences = tuple(_confidence(trace) for trace in traces)
+    return HalfReading(half, frame, curves, confidences, sheer, width, unlisted)
 
 
 def _widened(mask: Mask, width_px: float) -> Mask:

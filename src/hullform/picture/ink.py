@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import struct
+import zlib
 from pathlib import Path
 
 import cv2
@@ -16,6 +18,10 @@ Ink = NDArray[np.float32]
 SMALLEST_PX = 200_000  # below it a half-breadth has less than about 200 px, and neighbouring stations merge
 LARGEST_PX = 80_000_000  # the float maps of a larger picture would not fit in a common machine's memory
 FAINTEST_INK = 0.2  # share of the paper's brightness that a pixel must lack to count as drawn
+BAND = 4_000_000  # values that are worked on at a time, to spare memory
+PNG = b"\x89PNG\r\n\x1a\n"
+FEWEST_GREYS = 0.002  # of the pixels: a smaller share between black and white makes a picture of hard edges
+BLUR_OF_HARD_EDGES_PX = 0.7
 LEAST_INK_SHARE = 1e-4  # of the pixels: a body plan has 1 % and more
 MOST_INK_SHARE = 0.4  # of the pixels: beyond it the picture is a photograph or a negative
 
@@ -36,10 +42,17 @@ def load_grey(path: Path) -> Picture:
         raise PictureError(f"{path}: cannot be read ({error.strerror}); give an image file") from None
     if data.size == 0:
         raise PictureError(f"{path}: the file is empty; give a PNG, JPEG or TIFF picture")
+    if not _is_whole(data):
+        raise PictureError(
+            f"{path}: the file is damaged or cut short ({data.size} bytes); copy it again from where it came from"
+        )
+    level = cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
     try:
         image = cv2.imdecode(data, cv2.IMREAD_UNCHANGED)
     except cv2.error:
         image = None
+    finally:
+        cv2.utils.logging.setLogLevel(level)
     if image is None:
         raise PictureError(f"{path}: no image that OpenCV can decode ({data.size} bytes); save it as PNG, JPEG or TIFF")
     height, width = image.shape[:2]
@@ -55,6 +68,26 @@ def load_grey(path: Path) -> Picture:
     return _to_grey(image)
 
 
+def _is_whole(data: NDArray[np.uint8]) -> bool:
+    """Whether every chunk of a PNG file is there with its checksum; other files are left to their decoder.
+
+    The PNG decoder writes its complaints to the standard error stream past every log level.
+    """
+    content = data.tobytes()
+    if not content.startswith(PNG):
+        return True
+    at = len(PNG)
+    while at + 12 <= len(content):
+        size, kind = struct.unpack_from(">I4s", content, at)
+        end = at + 8 + size
+        if end + 4 > len(content) or struct.unpack_from(">I", content, end)[0] != zlib.crc32(content[at + 4 : end]):
+            return False
+        if kind == b"IEND":
+            return True
+        at = end + 4
+    return False
+
+
 def _to_grey(image: NDArray[np.generic]) -> Picture:
     if image.dtype == np.uint8:
         levels = image.astype(np.uint8, copy=False)
@@ -67,8 +100,12 @@ def _to_grey(image: NDArray[np.generic]) -> Picture:
     if levels.ndim == 2:
         return levels
     if levels.shape[2] == 2 or levels.shape[2] == 4:
-        colour, alpha = levels[..., :-1].min(axis=2).astype(np.uint16), levels[..., -1].astype(np.uint16)
-        return np.asarray((colour * alpha + 255 * (255 - alpha)) // 255, dtype=np.uint8)
+        grey = np.empty(levels.shape[:2], dtype=np.uint8)
+        for rows in np.array_split(np.arange(len(levels)), max(1, levels.size // BAND)):
+            part = levels[rows[0] : rows[-1] + 1]
+            colour, alpha = part[..., :-1].min(axis=2).astype(np.uint16), part[..., -1].astype(np.uint16)
+            grey[rows] = (colour * alpha + 255 * (255 - alpha)) // 255
+        return grey
     return np.ascontiguousarray(levels.min(axis=2))
 
 
@@ -83,6 +120,10 @@ def ink_of(grey: Picture, name: str = "the picture") -> Ink:
         PictureError: blank, or more ink than a drawing has.
     """
     height, width = grey.shape
+    between = cv2.inRange(grey, int(grey.min()) + 16, int(grey.max()) - 16)
+    if np.count_nonzero(between) < FEWEST_GREYS * grey.size:
+        # where a line lies to less than a pixel shows in the greys of its edges only
+        grey = np.asarray(cv2.GaussianBlur(grey, (0, 0), BLUR_OF_HARD_EDGES_PX), dtype=np.uint8)
     shrink = 4  # the paper's shade changes slowly; a quarter of the resolution is enough for it
     small = cv2.resize(
         cv2.GaussianBlur(grey, (0, 0), 1.0), (width // shrink, height // shrink), interpolation=cv2.INTER_AREA

@@ -10,12 +10,15 @@ from numpy.typing import NDArray
 
 from hullform.body_plan import Half, Station
 from hullform.errors import OutputError
+from hullform.files import whole_file
 from hullform.picture.reading import PictureReading
 
 Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
 Colour = tuple[int, int, int]
+Box = tuple[float, float, float, float]  # left, top, right, bottom, px
 
+IMAGE_TYPES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".webp", ".bmp")
 FADED = 0.3  # of the picture's ink that stays
 # BGR; neighbours differ in hue and in lightness
 STATION_COLOURS: tuple[Colour, ...] = (
@@ -41,40 +44,37 @@ def draw_overlay(reading: PictureReading) -> Image:
     """
     faded = 255 - FADED * (255 - reading.grey.astype(np.float32))
     image = np.ascontiguousarray(np.repeat(faded.astype(np.uint8)[..., None], 3, axis=2))
-    _draw_lines(image, reading)
+    taken = _draw_lines(image, reading)
     stroke = max(1, round(image.shape[1] / 1000))
     halves: tuple[Half, Half] = ("aft", "fore")
+    labels: list[tuple[str, Array, Colour]] = []
     for half in halves:
         stations = [station for station in reading.body_plan.stations if station.half == half]
         drawn = _drawn_once(stations if half == "aft" else stations[::-1])
-        # names step down along their curves, or the crowded ones at the ship's side would cover each other
         for position, (station, names) in enumerate(drawn):
             colour = STATION_COLOURS[position % len(STATION_COLOURS)]
             for curve in station.curves:
                 points = _pixels(reading, reading.side_of(half) * curve.half_breadth_m, curve.height_m)
                 cv2.polylines(image, [_fixed(points)], False, colour, stroke, cv2.LINE_AA, SHIFT)
-                share = 0.97 - 0.06 * (position % 8)
-                at = points[min(len(points) - 1, round(share * len(points)))]
-                _write(image, names, (float(at[0]) + 4, float(at[1]) + 4), colour)
+                labels.append((names, points, colour))
+    for words, points, colour in labels:
+        _label(image, words, points, colour, taken)
     return image
 
 
 def write_overlay(reading: PictureReading, path: Path) -> None:
-    """Draw the overlay into an image file of the type that its name says.
+    """Draw the overlay into an image file of the type that its name says; the file is written whole or not at all.
 
     Raises:
         OutputError: unknown type, or the file cannot be written.
     """
-    try:
-        done, data = cv2.imencode(path.suffix or ".png", draw_overlay(reading))
-    except cv2.error:
-        done = False
-    if not done:
-        raise OutputError(f"{path}: '{path.suffix}' is no image type; use .png or .jpg")
-    try:
-        path.write_bytes(data.tobytes())
-    except OSError as error:
-        raise OutputError(f"{path}: cannot be written ({error.strerror}); choose another place") from None
+    if path.suffix.lower() not in IMAGE_TYPES:
+        raise OutputError(f"{path}: '{path.suffix}' is no image type; use {', '.join(IMAGE_TYPES)}")
+    with whole_file(path) as aside:
+        done, data = cv2.imencode(path.suffix.lower(), draw_overlay(reading))
+        if not done:
+            raise OutputError(f"{path}: this OpenCV writes no '{path.suffix}'; use .png or .jpg")
+        aside.write_bytes(data.tobytes())
 
 
 SHIFT = 4  # fractional bits of the coordinates that polylines takes
@@ -88,7 +88,8 @@ def _pixels(reading: PictureReading, y_m: Array, z_m: Array) -> Array:
     """(n, 2) pixels of points in metres, y negative in the left half."""
     y, z = np.broadcast_arrays(np.asarray(y_m, dtype=np.float64), np.asarray(z_m, dtype=np.float64))
     mapped = np.column_stack([y, z, np.ones(y.size)]) @ np.array(reading.calibration.pixel_from_metres).T
-    return np.asarray(mapped[:, :2] / mapped[:, 2:])
+    stored = mapped[:, :2] / mapped[:, 2:]
+    return np.column_stack(reading.reduction.read((stored[:, 0], stored[:, 1])))
 
 
 def _drawn_once(stations: list[Station]) -> list[tuple[Station, str]]:
@@ -104,8 +105,13 @@ def _drawn_once(stations: list[Station]) -> list[tuple[Station, str]]:
     return out
 
 
-def _draw_lines(image: Image, reading: PictureReading) -> None:
-    """The predicted grid, the sheer line, and the lines that carry the scale, with their values."""
+def _draw_lines(image: Image, reading: PictureReading) -> list[Box]:
+    """The predicted grid, the sheer line, and the lines that carry the scale, with their values.
+
+    Returns:
+        where the values stand.
+    """
+    taken: list[Box] = []
     half_breadth, depth, draught = reading.breadth_m / 2, reading.depth_m, reading.draught_m
     reach = 1.03 * half_breadth
 
@@ -124,20 +130,47 @@ def _draw_lines(image: Image, reading: PictureReading) -> None:
     for half, points in reading.sheer_m.items():
         sheer = _pixels(reading, reading.side_of(half) * points[:, 0], points[:, 1])
         cv2.polylines(image, [_fixed(sheer)], False, LINE_COLOUR, 1, cv2.LINE_AA, SHIFT)
-    for z, words in ((0.0, "BL 0"), (draught, f"T {draught:g}"), (depth, f"D {depth:g}")):
+    heights = [(0.0, "BL 0"), (depth, f"D {depth:g}"), (draught, f"T {draught:g}")]
+    if draught == depth:
+        heights[1:] = [(depth, f"D = T {depth:g}")]
+    for z, words in heights:
         ends = line(((-reach, z), (reach, z)), LINE_COLOUR)
-        _write(image, words, (float(ends[0, 0]) + 2, float(ends[0, 1]) - 3), LINE_COLOUR)
+        _write(image, words, (float(ends[0, 0]) + 2, float(ends[0, 1]) - 3), LINE_COLOUR, taken)
     for y, words in ((-half_breadth, f"B/2 {half_breadth:g}"), (0.0, "CL"), (half_breadth, f"B/2 {half_breadth:g}")):
         ends = line(((y, -0.03 * depth), (y, depth)), LINE_COLOUR)
-        _write(image, words, (float(ends[0, 0]) + 3, float(ends[0, 1])), LINE_COLOUR)
+        _write(image, words, (float(ends[0, 0]) + 3, float(ends[0, 1])), LINE_COLOUR, taken)
+    return taken
 
 
-def _write(image: Image, words: str, at: tuple[float, float], colour: Colour) -> None:
-    """Text on a light halo, so that it can be read over lines; kept inside the picture."""
+def _label(image: Image, words: str, points: Array, colour: Colour, taken: list[Box]) -> None:
+    """Name a curve at the first place along it, from the deck down, that no other name has; none where all is full."""
+    (width, height), _ = cv2.getTextSize(words, FONT, *_text_size(image))
+    for share in np.arange(0.97, 0.2, -0.03):
+        u, v = points[round(share * (len(points) - 1))]
+        for left in (u + 4, u - 4 - width):
+            box = (left - 2, v - height - 2, left + width + 2, v + 4)
+            inside = box[0] >= 0 and box[1] >= 0 and box[2] < image.shape[1] and box[3] < image.shape[0]
+            if inside and not any(_overlap(box, other) for other in taken):
+                _write(image, words, (float(left), float(v)), colour, taken)
+                return
+
+
+def _overlap(a: Box, b: Box) -> bool:
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+
+
+def _text_size(image: Image) -> tuple[float, int]:
+    """Scale and weight of the letters."""
     size = image.shape[1] / 3600
-    weight = max(1, round(1.6 * size))
+    return size, max(1, round(1.6 * size))
+
+
+def _write(image: Image, words: str, at: tuple[float, float], colour: Colour, taken: list[Box]) -> None:
+    """Text on a light halo, so that it can be read over lines; kept inside the picture, its place noted in `taken`."""
+    size, weight = _text_size(image)
     (width, height), _ = cv2.getTextSize(words, FONT, size, weight)
     u = int(np.clip(at[0], 0, max(0, image.shape[1] - width)))
     v = int(np.clip(at[1], height, image.shape[0] - 2))
+    taken.append((u - 2, v - height - 2, u + width + 2, v + 4))
     cv2.putText(image, words, (u, v), FONT, size, (255, 255, 255), weight + 3, cv2.LINE_AA)
     cv2.putText(image, words, (u, v), FONT, size, colour, weight, cv2.LINE_AA)

@@ -10,12 +10,22 @@ from numpy.typing import NDArray
 
 from hullform.body_plan import BodyPlan, Calibration, Half, Station, TracedCurve
 from hullform.errors import PictureError
-from hullform.picture.calibration import CalibratedSheet, calibrate
+from hullform.picture.calibration import calibrate
+from hullform.picture.doubts import (
+    NamedHalf,
+    doubts_of_counts,
+    doubts_of_edges,
+    doubts_of_parallel_body,
+    doubts_of_scale,
+    doubts_of_size,
+)
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.half import HalfReading, read_half
 from hullform.picture.ink import Picture, ink_of, load_grey
 from hullform.picture.lines import find_lines, subtract_lines
+from hullform.picture.marks import near_curves, place_marks, unheeded
 from hullform.picture.naming import assign_stations, mark_distances
+from hullform.picture.reduction import Reduction, reduced
 from hullform.ship import Ship
 
 Array = NDArray[np.float64]
@@ -24,8 +34,6 @@ HIGHEST = 1.6  # of the depth: how high the drawing is searched above the base l
 FEWEST_CURVES = 3
 LEAST_SHARE_OF_NAMES = 0.6
 LOW_CONFIDENCE = 0.5
-SMALLEST_HALF_PX = 300.0  # B/2 in px below which neighbouring stations merge
-DEPTH_DISAGREEMENT = 0.01  # between the deck at side amidships and D
 POINT_SPACING_PX = 2.0  # along a traced curve
 
 
@@ -35,7 +43,8 @@ class PictureReading:
 
     Attributes:
         body_plan: the stations, the calibration, notes and doubts.
-        grey: (rows, columns) the picture.
+        grey: (rows, columns) the picture as it was read; a large one is read at a smaller size.
+        reduction: from pixels of the stored picture, which the calibration means, to those of `grey`.
         path: of the picture.
         breadth_m, depth_m, draught_m: of the ship, for the lines that the overlay draws.
         left_half: which half the picture shows left.
@@ -45,6 +54,7 @@ class PictureReading:
 
     body_plan: BodyPlan
     grey: Picture
+    reduction: Reduction
     path: Path
     breadth_m: float
     depth_m: float
@@ -76,10 +86,14 @@ def read_picture(ship: Ship) -> PictureReading:
         PictureError: no readable picture, no calibration, too few curves.
     """
     path, source, main = ship.body_plan.image_path, ship.body_plan, ship.particulars
-    grey = load_grey(path)
+    whole = load_grey(path)
+    size_px = (whole.shape[1], whole.shape[0])
+    grey, reduction = reduced(whole)
+    del whole
     ink = ink_of(grey, str(path))
     horizontal, vertical = find_lines(ink)
-    sheet = calibrate(ink, horizontal, vertical, main.breadth_m, main.depth_m, source.calibration, str(path))
+    given = reduction.given(source.calibration)
+    sheet = calibrate(ink, horizontal, vertical, main.breadth_m, main.depth_m, given, str(path))
     calibration = sheet.calibration
     bare, mask = subtract_lines(ink, list(sheet.frame_lines))
     depth_px = main.depth_m / calibration.metres_per_px
@@ -95,51 +109,53 @@ def read_picture(ship: Ship) -> PictureReading:
             f"but the depth is {main.depth_m:g} m; check breadth_m, depth_m and [body_plan.calibration]"
         )
     left: Half = "aft" if source.aft_side == "left" else "fore"
-    halves: list[HalfReading] = []
+    halves: list[NamedHalf] = []
     stations: list[Station] = []
     notes, doubts = list(sheet.notes), list(sheet.doubts)
-    for half, names in (("aft", source.aft_stations_m), ("fore", source.fore_stations_m)):
-        half_name: Half = "aft" if half == "aft" else "fore"
+    named: tuple[tuple[Half, tuple[float, ...]], ...] = (
+        ("aft", source.aft_stations_m),
+        ("fore", source.fore_stations_m),
+    )
+    for half, names in named:
         frame = DiagonalFrame.of(calibration, -1 if half == left else 1, main.breadth_m, top_m)
         # from the centre line outwards: the aft half from aft forward, the fore half from forward aft
         inner_first = names if half == "aft" else names[::-1]
-        marks = [
-            (int(np.argmin([abs(x - mark.station_m) for x in inner_first])), *_to_drawing(mark.px, frame))
-            for mark in source.marks
-            if mark.half == half
-        ]
-        reading = read_half(
-            half_name, frame, bare, mask, depth_px, deck_line, len(names), tuple((y, z) for _, y, z in marks)
+        marks, doubts_of_marks = place_marks(
+            [mark for mark in source.marks if mark.half == half], inner_first, frame, size_px, reduction
         )
-        if len(reading.curves) < max(FEWEST_CURVES, LEAST_SHARE_OF_NAMES * len(names)) and len(reading.curves) < len(
-            names
-        ):
+        reading = read_half(
+            half, frame, bare, mask, depth_px, deck_line, len(names), tuple((m.y_px, m.z_px) for m in marks)
+        )
+        few = len(reading.curves) < max(FEWEST_CURVES, LEAST_SHARE_OF_NAMES * len(names))
+        if few and len(reading.curves) < len(names):
             raise PictureError(
                 f"{path}: too few curves: {len(reading.curves)} found in the {half} half, which has {len(names)} "
                 f"stations ({half}_stations_m); "
-                "check aft_side, breadth_m and the calibration, or give a clearer picture"
+                "check aft_side, breadth_m, depth_m and the calibration, or give a clearer picture"
             )
-        assigned = assign_stations(len(names), len(reading.curves), mark_distances(reading.curves, marks, len(names)))
+        marks, doubts_of_places = near_curves(marks, reading.curves, frame.half_breadth_px)
+        at = [(mark.station, mark.y_px, mark.z_px) for mark in marks]
+        assigned = assign_stations(len(names), len(reading.curves), mark_distances(reading.curves, at, len(names)))
         stations += _stations(reading, inner_first, assigned, notes, doubts)
-        doubts += _doubts_of_half(reading, main.depth_m)
-        halves.append(reading)
-    doubts += _doubts_of_size(path, sheet, halves)
-    body_plan = BodyPlan(tuple(stations), "picture", calibration, tuple(notes), tuple(doubts))
+        doubts += doubts_of_marks + doubts_of_places
+        doubts += unheeded(marks, reading.curves, assigned, frame.half_breadth_px)
+        halves.append(NamedHalf(reading, inner_first, tuple(assigned)))
+    readings = [half.reading for half in halves]
+    doubts += doubts_of_scale(str(path), readings, ink, bare, main.breadth_m, main.depth_m)
+    doubts += doubts_of_counts(halves)
+    doubts += doubts_of_parallel_body(halves, main.length_between_perpendiculars_m)
+    doubts += doubts_of_size(path.name, readings)
+    doubts += doubts_of_edges(readings, bare)
+    body_plan = BodyPlan(tuple(stations), "picture", reduction.stored(calibration), tuple(notes), tuple(doubts))
     scale = calibration.metres_per_px
     sheer_m = {
         reading.half: np.column_stack([reading.sheer.y_px, reading.sheer.z_px]) * scale
-        for reading in halves
+        for reading in readings
         if reading.sheer is not None
     }
     return PictureReading(
-        body_plan, grey, path, main.breadth_m, main.depth_m, main.draught_m, left, sheet.grid_m, sheer_m
+        body_plan, grey, reduction, path, main.breadth_m, main.depth_m, main.draught_m, left, sheet.grid_m, sheer_m
     )
-
-
-def _to_drawing(px: tuple[float, float], frame: DiagonalFrame) -> tuple[float, float]:
-    """(y, z) in px of the drawing of a pixel of the picture."""
-    y, z, depth = np.linalg.solve(frame.pixel_from_metres, np.array([px[0], px[1], 1.0]))
-    return float(frame.side * y / depth / frame.metres_per_px), float(z / depth / frame.metres_per_px)
 
 
 def _stations(
@@ -185,26 +201,3 @@ def _evenly(points: Array) -> Array:
     keep = np.concatenate([[True], np.diff(arc) > 1e-9])
     at = np.linspace(0.0, arc[-1], max(3, round(arc[-1] / POINT_SPACING_PX) + 1))
     return np.column_stack([np.interp(at, arc[keep], points[keep, k]) for k in (0, 1)])
-
-
-def _doubts_of_half(reading: HalfReading, depth_m: float) -> list[str]:
-    outermost = reading.curves[-1]
-    if outermost[-1, 0] < 0.97 * reading.frame.half_breadth_px:
-        return []
-    top_m = float(outermost[-1, 1]) * reading.frame.metres_per_px
-    if abs(top_m / depth_m - 1) <= DEPTH_DISAGREEMENT:
-        return []
-    return [
-        f"scale: the outermost curve of the {reading.half} half ends {top_m:.2f} m above the base line, "
-        f"but the depth is {depth_m:g} m; check depth_m, breadth_m and the calibration"
-    ]
-
-
-def _doubts_of_size(path: Path, sheet: CalibratedSheet, halves: list[HalfReading]) -> list[str]:
-    half_breadth_px = halves[0].frame.half_breadth_px
-    if half_breadth_px >= SMALLEST_HALF_PX:
-        return []
-    return [
-        f"{path.name}: a half-breadth has only {half_breadth_px:.0f} px; stations nearer than two lines' width merge; "
-        "scan it finer"
-    ]

@@ -1,0 +1,226 @@
+"""What does not fit together: stations and curves, the scale and the main particulars, the drawing and its picture."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from hullform.errors import PictureError
+from hullform.picture.half import HalfReading
+from hullform.picture.ink import Ink
+
+Array = NDArray[np.float64]
+
+LONGEST_PARALLEL_BODY = 0.45  # of LPP: longer than full tankers share one drawn curve
+MOST_UNDRAWN = 0.34  # of a half's stations: tankers leave a fifth to a quarter undrawn
+FULLEST = 0.994  # of B/2: what a curve of the parallel body reaches
+SAME_BODY = 0.015  # between the areas of the two halves' curves of the parallel body
+AT_SIDE = 0.97  # of B/2: what the outermost curve of a drawing reaches
+NEAR_SIDE = 0.9  # of B/2: stations there end about as high as the midship section
+SCALES_APART = 0.015  # between breadth and depth, beyond which a person should look
+HOPELESS = 0.85  # least ratio of the scales of breadth and depth, either way
+RUNS_ON = (0.02, 0.06)  # of B/2: where ink beyond the end of a curve means that the curve goes on
+SMALLEST_HALF_PX = 600.0  # B/2: of a picture 1450 px wide
+THINNEST_OF_HALF = 200.0  # B/2 over the width of a line
+SIDE_WINDOW = 0.08  # of B/2: the stretch of the line of the side that must be drawn for the most part
+EDGE_PX = 2.5
+FEWEST_CUT = 3  # lines at the picture's edge: one or two may be the scanner's
+WIDEST_STROKE_PX = 40
+
+
+@dataclass(frozen=True, eq=False)
+class NamedHalf:
+    """One half with its stations from the centre line outwards and the index of the curve that each got."""
+
+    reading: HalfReading
+    inner_first: tuple[float, ...]
+    assigned: tuple[int, ...]
+
+    @property
+    def shared(self) -> tuple[float, ...]:
+        """The stations of the parallel body: those that share the outermost curve."""
+        outermost = len(self.reading.curves) - 1
+        names = [x for x, n in zip(self.inner_first, self.assigned, strict=True) if n == outermost]
+        return tuple(sorted(names)) if len(names) > 1 else ()
+
+
+def doubts_of_counts(halves: Sequence[NamedHalf]) -> list[str]:
+    """More curves than stations, and halves that fit each other's stations better."""
+    doubts = []
+    for half in halves:
+        name, listed, more = half.reading.half, len(half.inner_first), half.reading.unlisted
+        if more:
+            missing = "one station is" if more == 1 else f"{more} stations are"
+            doubts.append(
+                f"{name} half: {half.reading.seen} curves seen but {listed} stations listed; {missing} missing from "
+                f"{name}_stations_m"
+            )
+    (a, b), (listed_a, listed_b) = (h.reading.seen for h in halves), (len(h.inner_first) for h in halves)
+    if abs(a - listed_b) + abs(b - listed_a) < abs(a - listed_a) + abs(b - listed_b):
+        doubts.append(
+            f"aft_side: the half taken for aft shows {a} curves for {listed_a} stations, the other {b} for {listed_b}; "
+            "the other way round they fit better: check aft_side and whether the picture is mirrored"
+        )
+    return doubts
+
+
+def doubts_of_parallel_body(halves: Sequence[NamedHalf], length_between_perpendiculars_m: float) -> list[str]:
+    """Stations that share the outermost curve although they can hardly be a parallel body."""
+    doubts = []
+    sharing = [half for half in halves if half.shared]
+    for half in sharing:
+        name, curves, listed = half.reading.half, len(set(half.assigned)), len(half.inner_first)
+        words = ", ".join(f"{x:g}" for x in half.shared)
+        reach = float(half.reading.curves[-1][:, 0].max()) / half.reading.frame.half_breadth_px
+        if listed - curves > MOST_UNDRAWN * listed:
+            doubts.append(
+                f"{name} half: {curves} curves for {listed} stations, so that {words} m would share the outermost; "
+                f"check {name}_stations_m and aft_side"
+            )
+        elif reach < FULLEST:
+            doubts.append(
+                f"{name} half: {curves} curves for {listed} stations, but the outermost, which {words} m would share, "
+                f"reaches only {100 * reach:.1f} % of B/2 and is no parallel body; check {name}_stations_m"
+            )
+    shared = [x for half in sharing for x in half.shared]
+    share = (max(shared) - min(shared)) / length_between_perpendiculars_m if shared else 0.0
+    if share > LONGEST_PARALLEL_BODY:
+        doubts.append(
+            f"parallel body: the stations from {min(shared):g} to {max(shared):g} m, {100 * share:.0f} % of LPP, share "
+            "the outermost curves; check aft_stations_m and fore_stations_m"
+        )
+    if len(sharing) == 2:
+        areas = [_area(half.reading.curves[-1]) for half in sharing]
+        if abs(areas[0] / areas[1] - 1) > SAME_BODY:
+            doubts.append(
+                f"parallel body: the outermost curves of the two halves enclose areas "
+                f"{100 * areas[0] / areas[1]:.1f} : 100 and are not one section; check aft_stations_m, fore_stations_m"
+            )
+    return doubts
+
+
+def doubts_of_scale(
+    path: str, readings: Sequence[HalfReading], ink: Ink, bare: Ink, breadth_m: float, depth_m: float
+) -> list[str]:
+    """The scale of the breadth against the height to which the ship's side is drawn, which is the depth.
+
+    Args:
+        path: of the picture.
+        readings: of both halves.
+        ink: (rows, columns) of the picture.
+        bare: the same, its long straight lines taken off.
+        breadth_m, depth_m: of ship.toml.
+
+    Raises:
+        PictureError: they are so far apart that no figure read would mean anything.
+    """
+    scale = readings[0].frame.metres_per_px
+    sides = [_top_of_side(reading, ink) for reading in readings]
+    curves = [(curve, reading) for reading in readings for curve in reading.curves]
+    widest = max(float(curve[:, 0].max()) for curve, _ in curves) * scale
+    # the lines of a drawing's box may run on above the deck, so curves must do so too
+    near_side = [curve for curve, reading in curves if curve[-1, 0] > NEAR_SIDE * reading.frame.half_breadth_px]
+    tops_m = [top * scale for top in sides if top is not None] or [
+        max(float(curve[-1, 1]) for curve in near_side or [curve for curve, _ in curves]) * scale
+    ]
+    cut_off = sum(_runs_on(curve, reading, bare) for curve, reading in curves) > 0.5 * len(curves)
+    curves_above = cut_off or any(curve[-1, 1] * scale > (1 + SCALES_APART) * depth_m for curve in near_side)
+    top = max(tops_m) if max(tops_m) < depth_m else min(tops_m)
+    fits = (top / depth_m > 1 - SCALES_APART) and (top / depth_m < 1 + SCALES_APART or not curves_above)
+    if fits and not cut_off and widest > AT_SIDE * breadth_m / 2:
+        return []
+    words = (
+        f"the outermost curves reach {widest:.2f} m from the centre line and {top:.2f} m above the base line at the "
+        f"scale found; ship.toml says breadth_m = {breadth_m:g} and depth_m = {depth_m:g}"
+    )
+    if not (top / depth_m >= HOPELESS and (top / depth_m <= 1 / HOPELESS or not curves_above)):
+        raise PictureError(
+            f"{path}: {words}; these do not fit: check breadth_m, depth_m, [body_plan.calibration] and whether the "
+            "picture was stretched or cut off"
+        )
+    return [
+        f"scale: {words}; that is {scale:.5g} m per px by the breadth and {scale * depth_m / top:.5g} m per px by the "
+        "depth: check breadth_m, depth_m and whether the picture was stretched"
+    ]
+
+
+def doubts_of_size(name: str, readings: Sequence[HalfReading]) -> list[str]:
+    """A picture too small, or drawn too boldly, to keep neighbouring stations apart."""
+    half_breadth_px = readings[0].frame.half_breadth_px
+    width_px = float(np.mean([reading.line_width_px for reading in readings]))
+    if half_breadth_px < SMALLEST_HALF_PX:
+        return [
+            f"{name}: the picture is small: {half_breadth_px:.0f} px per half-breadth; "
+            "1600 px wide or more is read well"
+        ]
+    if half_breadth_px < THINNEST_OF_HALF * width_px:
+        return [
+            f"{name}: the lines are thick: {width_px:.1f} px at {half_breadth_px:.0f} px per half-breadth; curves "
+            "merge where they lie near each other; scan it finer or draw thinner lines"
+        ]
+    return []
+
+
+def doubts_of_edges(readings: Sequence[HalfReading], bare: Ink) -> list[str]:
+    """Curves that run out of the picture."""
+    doubts = []
+    rows, columns = bare.shape
+    for reading in readings:
+        out = 0
+        for curve in reading.curves:
+            u, v = reading.frame.to_picture(curve[:, 0], curve[:, 1])
+            beyond = (u < EDGE_PX) | (v < EDGE_PX) | (u > columns - 1 - EDGE_PX) | (v > rows - 1 - EDGE_PX)
+            out += bool(beyond.any())
+        if out:
+            doubts.append(
+                f"{reading.half} half: {out} curves reach the edge of the picture; "
+                "give a picture of the whole body plan"
+            )
+    if not doubts:
+        cut = sum(_strokes(strip) for strip in (bare[2], bare[:, 2], bare[:, -3]))
+        if cut >= FEWEST_CUT:
+            doubts.append(
+                f"{cut} lines run out of the picture at its top or sides; give a picture of the whole body plan"
+            )
+    return doubts
+
+
+def _strokes(strip: Ink) -> int:
+    """Number of lines that cross a row or column of the picture."""
+    drawn = np.concatenate([[False], strip > 0.3, [False]])
+    starts, ends = np.flatnonzero(~drawn[:-1] & drawn[1:]), np.flatnonzero(drawn[:-1] & ~drawn[1:])
+    return int(np.count_nonzero(ends - starts <= WIDEST_STROKE_PX))
+
+
+def _area(curve: Array) -> float:
+    return float(np.trapezoid(curve[:, 0], curve[:, 1]))
+
+
+def _top_of_side(reading: HalfReading, ink: Ink) -> float | None:
+    """Height in px to which upright ink is drawn along the line of B/2, broken here and there or not; None without."""
+    frame = reading.frame
+    z = np.arange(0.2 * frame.half_breadth_px, frame.top_px)
+    y = frame.half_breadth_px + np.arange(-3.0, 3.01)
+    u, v = frame.to_picture(*np.meshgrid(y, z))
+    drawn = cv2.remap(ink, u.astype(np.float32), v.astype(np.float32), cv2.INTER_LINEAR).max(axis=1) > 0.1
+    window = round(SIDE_WINDOW * frame.half_breadth_px)
+    share = np.convolve(drawn, np.ones(window) / window)[: z.size]  # of the stretch that ends here
+    upper = np.flatnonzero(drawn & (share > 0.6))
+    if not upper.size or drawn[: upper[-1]].mean() < 0.6:
+        return None
+    return float(z[upper[-1]])
+
+
+def _runs_on(curve: Array, reading: HalfReading, ink: Ink) -> bool:
+    """Whether ink goes on in the direction in which a curve ends."""
+    size = reading.frame.half_breadth_px
+    behind = curve[-1] - curve[np.hypot(*(curve - curve[-1]).T) > 0.03 * size][-1]
+    ahead = np.linspace(*RUNS_ON, 40)[:, None] * size * behind / np.hypot(*behind) + curve[-1]
+    u, v = reading.frame.to_picture(ahead[:, 0], ahead[:, 1])
+    near = cv2.dilate(ink, np.ones((7, 7), np.uint8))
+    seen = cv2.remap(near, u.astype(np.float32)[None], v.astype(np.float32)[None], cv2.INTER_NEAREST)
+    return bool((seen > 0.3).mean() > 0.8)
