@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 import sys
 from dataclasses import dataclass, replace
@@ -12,13 +13,15 @@ from types import ModuleType
 import numpy as np
 import pytest
 
+from hullform import checks
 from hullform.body_plan import BodyPlan, Station, TracedCurve
 from hullform.outcome import Run
 from hullform.pipeline import run_ship
-from hullform.report.page import draw_pictures, failed_checks, render, write_report
+from hullform.report.page import CHECK_LABELS, draw_pictures, failed_checks, render, write_report
 from hullform.report.wording import reading_of_mode
-from hullform.rounding import significant
+from hullform.rounding import per_cent, significant
 from hullform.ship import read_ship
+from hullvib.bounds import Bracket
 
 # The particulars of the paper's container ship, so that her report has its appendix; the hull is a plain one with
 # parabolic waterlines and sections, of far too little displacement: her checks of floating fail.
@@ -95,7 +98,7 @@ def test_report_and_figures_are_written(run: Run, tmp_path: Path) -> None:
     names = {path.name for path in (tmp_path / "figures").iterdir()}
     assert names == {
         "overlay.jpg", "body-plan-fit.svg", "sectional-areas.svg", "hull.png", "mass.svg", "structure.svg",
-        "modes-loaded.svg", "modes-light-ship.svg", "convergence.svg",
+        "modes-loaded.svg", "modes-light-ship.svg", "modes-with-shear.svg", "convergence.svg",
     }  # fmt: skip
     # the limit that the design sets for a page that is mailed about
     assert (tmp_path / "report.html").stat().st_size < 8e6
@@ -133,6 +136,82 @@ def test_first_screen_has_each_frequency_to_three_figures(run: Run, page: str) -
         for mode in range(3):
             assert f"<b>{significant(condition.modes.frequencies_hz[mode])} Hz</b>" in start
             assert f"{significant(condition.modes.cycles_per_minute[mode])} cycles/min" in start
+
+
+def test_first_screen_is_of_the_girder_with_shear_and_sets_euler_bernoulli_beside_it(run: Run, page: str) -> None:
+    start = page[page.index('id="summary"') : page.index('id="picture"')]
+    assert "dry hull girder with shear deflection" in start
+    for condition in run.conditions.values():
+        assert condition.modes.theory == "shear-flexible"
+        euler = condition.solutions["stodola_ritz"]
+        assert euler.theory == condition.euler_modes.theory == "Euler-Bernoulli"
+        for mode in range(3):
+            lower = 100 * (1 - condition.modes.frequencies_hz[mode] / euler.frequencies_hz[mode])
+            words = f"{significant(lower, 2)} % below Euler–Bernoulli’s {significant(euler.frequencies_hz[mode])} Hz"
+            assert words in start
+
+
+def test_three_beams_stand_side_by_side(run: Run, page: str) -> None:
+    table = page[page.index('id="three-beams"') :]
+    table = table[: table.index("</table>")]
+    # 0.35 of the depth of 19.5 m
+    assert "r = 0.35 D = 6.82 m" in table
+    for condition in run.conditions.values():
+        euler, timoshenko = (condition.solutions[name].frequencies_hz for name in ("stodola_ritz", "timoshenko"))
+        for mode in range(3):
+            shear = condition.modes.frequencies_hz[mode]
+            row = (
+                f"<td>{significant(euler[mode])}</td>\n<td><strong>{significant(shear)}</strong></td>"
+                f"<td>{per_cent(shear, euler[mode])}</td><td>{significant(timoshenko[mode])}</td>\n"
+                f"<td>{per_cent(timoshenko[mode], shear)}</td>"
+            )
+            assert row in table
+
+
+def test_the_modes_section_is_of_the_euler_bernoulli_girder(run: Run, page: str) -> None:
+    section = page[page.index("What shapes the modes") : page.index('id="convergence"')]
+    for condition in run.conditions.values():
+        hz = condition.euler_modes.frequencies_hz[2]
+        assert significant(hz) != significant(condition.modes.frequencies_hz[2])
+        assert f"<td>{significant(hz)}</td>" in section
+
+
+def test_the_numerical_error_is_the_width_of_the_bracket(run: Run) -> None:
+    loaded, light = run.conditions.values()
+    lower, upper = np.array([1.0, 2.0, 3.0]), np.array([1.0, 2.0, 3.0]) * (1 + np.array([2e-9, 3.2e-8, 1e-9]))
+    proven = replace(loaded, bracket=Bracket(lower, upper, 16.0, "counted by hand"))
+    pictures = draw_pictures(run)
+    text = render(replace(run, conditions={"loaded": proven}), pictures, "")
+    start = text[: text.index('id="picture"')]
+    # 3.2e-8, rounded up
+    assert "below 4 × 10⁻⁸ of the" in start
+    assert "Proof: counted by hand." in text
+    unproven = replace(light, bracket="EI vanishes at x = 0 & so on")
+    text = render(replace(run, conditions={"loaded": proven, "light-ship": unproven}), pictures, "")
+    assert "is not proven in every condition" in text[: text.index('id="picture"')]
+    assert "Nothing is proven: EI vanishes at x = 0 &amp; so on" in text
+    assert "below 4 × 10⁻⁸ of the" in text
+
+
+def test_shear_area_is_told_bare_and_scaled(run: Run, page: str) -> None:
+    structure = run.structure
+    bare, scaled = structure.midship_shell_shear_area_m2, structure.midship_shear_area_m2
+    section = " ".join(page[page.index('id="girder"') : page.index('id="modes"')].split())
+    assert f"bare, {significant(bare)} m² at midships" in section
+    assert f"the same factor {significant(structure.shear_factor)}: {significant(scaled)} m²" in section
+    # G = E / 2.6
+    assert "ν = 0.3, so G = E / (2 (1 + ν)) = 7.92 × 10¹⁰ N/m²" in section
+    given, *_ = run.ship.require_sections_of_a_run()
+    own = run.ship.model_copy(update={"structure": given.model_copy(update={"midship_shear_area_m2": 1.25})})
+    text = " ".join(render(replace(run, ship=own), draw_pictures(run), "").split())
+    assert "to reach the given 1.25 m²" in text
+
+
+def test_every_check_has_a_label_of_its_own() -> None:
+    source = inspect.getsource(checks)
+    ids = set(re.findall(r'(?:_within|_deviation|Check)\(\s*"([a-z-]+)"', source))
+    assert len(ids) > 8
+    assert ids == set(CHECK_LABELS)
 
 
 def test_text_of_the_user_is_escaped(page: str) -> None:

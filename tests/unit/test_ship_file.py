@@ -76,7 +76,7 @@ def test_the_aft_perpendicular_is_at_the_aft_end_where_the_lengths_agree(tmp_pat
         ("[weights]", "[weights]\nsteel_weight_t = -5.0", "weights.steel_weight_t = -5.0"),
         ("[weights]", "[weights]\n[excitation]", "excitation: is reserved for a later version"),
         ("[body_plan]", "[body_plan]\nmesh = 'x.stl'", "body_plan.mesh: is reserved for a later version"),
-        ("[structure]", "[structure]\nmidship_shear_area_m2 = 1.0", "is reserved for a later version"),
+        ("[structure]", "[hull]\nsections = 'auto'\n[structure]", "hull.sections: is reserved for a later version"),
         ("[ship]", "ship = 3\n[other]", "ship = 3: "),
         ("schema = 1", "schema = ", "is no TOML"),
     ],

@@ -95,7 +95,7 @@ def _lines(run: Run, condition: ConditionRun, published: PublishedCondition) -> 
                 schlick=float(figures["schlick_hollow_box"][index]),
                 todd=float(figures["todd"][index]),
                 finite_element=_frequency(solutions["finite_element"].angular_frequencies, index),
-                nondimensional=_frequency(condition.modes.angular_frequencies, index) / unit,
+                nondimensional=_frequency(condition.euler_modes.angular_frequencies, index) / unit,
             )
         )
     return tuple(lines)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullLocator
 
@@ -62,19 +63,26 @@ def mass_figure(run: Run) -> Picture:
 
 
 def structure_figure(run: Run) -> Picture:
-    """I(x), A(x) and the neutral axis (the paper's figures 1 and 3, b)."""
+    """I(x), A(x), the shear area and the neutral axis (the paper's figures 1 and 3, b, and what shear needs)."""
     structure, length = run.structure, run.hull.length_overall_m
-    figure = Figure(figsize=(PAGE_WIDTH, 5.4))
-    second_moment, area, axis = figure.subplots(3, 1, sharex=True, height_ratios=[1.6, 1, 1])
-    figure.subplots_adjust(left=0.075, right=0.975, top=0.99, bottom=0.085, hspace=0.16)
+    figure = Figure(figsize=(PAGE_WIDTH, 6.7))
+    second_moment, area, shear, axis = figure.subplots(4, 1, sharex=True, height_ratios=[1.6, 1, 1, 1])
+    figure.subplots_adjust(left=0.075, right=0.925, top=0.99, bottom=0.07, hspace=0.16)
     for axes, values, label in (
         (second_moment, structure.second_moment_m4, "I(x), m⁴"),
         (area, structure.area_m2, "A(x), m²"),
+        (shear, structure.shear_area_m2, "Aₛ(x), m²"),
     ):
         axes.fill_between(structure.x_m, values, color=ACCENT, alpha=0.14, linewidth=0)
         axes.plot(structure.x_m, values, color=ACCENT, linewidth=1.5)
         finish(axes, "", label, length)
         axes.set_ylim(0.0, 1.1 * float(values.max()))
+    giganewtons_per_m2 = structure.shear_modulus_pa / 1e9
+    rigidity = shear.secondary_yaxis(
+        "right", functions=(lambda area_m2: giganewtons_per_m2 * area_m2, lambda force: force / giganewtons_per_m2)
+    )
+    rigidity.set_ylabel("kGA(x), GN")
+    rigidity.spines["right"].set_visible(False)
     hull = run.hull
     axis.fill_between(hull.x_m, hull.keel_height_m, hull.top_height_m, color=QUIET, alpha=0.14, linewidth=0)
     axis.plot(hull.x_m, hull.top_height_m, color=QUIET, linewidth=0.9)
@@ -87,15 +95,16 @@ def structure_figure(run: Run) -> Picture:
         figure,
         "structure",
         "Second moment I(x) and area A(x) of the shell with the equivalent-thickness factor (as the paper's Figs. 1b "
-        "and 3b), and the height of its neutral axis within the hull's profile.",
+        "and 3b), its shear area Aₛ(x) with the shear factor and the shear rigidity kGA(x) = G Aₛ(x), and the "
+        "height of its neutral axis within the hull's profile.",
         f"Second moment of area along the ship, largest {significant(structure.second_moment_m4.max())} m⁴, with the "
-        "shell's area and neutral axis below.",
+        "shell's area, shear area and neutral axis below.",
     )
 
 
 def modes_figure(condition: ConditionRun) -> Picture:
-    """The first three mode shapes, nodes marked, the uniform beam's dotted (the paper's figures 2 and 4)."""
-    modes = condition.modes
+    """The first three Euler-Bernoulli shapes, nodes marked, the uniform beam's dotted (the paper's figures 2 and 4)."""
+    modes = condition.euler_modes
     figure = Figure(figsize=(PAGE_WIDTH, 3.7))
     axes = figure.subplots()
     figure.subplots_adjust(left=0.075, right=0.975, top=0.98, bottom=0.325)
@@ -107,27 +116,48 @@ def modes_figure(condition: ConditionRun) -> Picture:
     return as_svg(
         figure,
         f"modes-{condition.condition.name}",
-        f"First three modes, {title}; the uniform beam's dotted, nodes circled (as the paper's Figs. 2 and 4). "
-        f"Each shape is scaled to {modes.normalisation_note}.",
+        f"First three modes, {title}, Euler-Bernoulli; the uniform beam's dotted, nodes circled (as the "
+        f"paper's Figs. 2 and 4). Each shape is scaled to {modes.normalisation_note}.",
         f"Shapes of modes 1 to 3 along the ship, {title}, over those of the uniform beam.",
     )
 
 
-def convergence_figure(run: Run) -> Picture:
-    """How far above the finite-element frequency Ritz lies with each number of trial functions."""
+def headline_modes_figure(run: Run) -> Picture:
+    """The shapes of the headline, with shear deflection, over the Euler-Bernoulli girder's."""
     conditions = list(run.conditions.values())
-    columns = min(PANELS_ABREAST, len(conditions))
-    rows = -(-len(conditions) // columns)
-    figure = Figure(figsize=(PAGE_WIDTH, 2.7 * rows))
-    panels = figure.subplots(rows, columns, sharey=True, squeeze=False).ravel()
-    figure.subplots_adjust(left=0.085, right=0.975, top=1 - 0.1 / rows, bottom=0.17 / rows, wspace=0.08, hspace=0.4)
-    for unused in panels[len(conditions) :]:
-        unused.set_axis_off()
-    for axes, condition in zip(panels, conditions, strict=False):
+    figure, panels = _panels(len(conditions))
+    x = np.linspace(0.0, run.hull.length_overall_m, 301)
+    for axes, condition in zip(panels, conditions, strict=True):
+        for mode in range(SHOWN_MODES):
+            colour = SERIES[mode % len(SERIES)]
+            axes.plot(x, condition.modes.shape(x)[mode], color=colour, linewidth=1.4, label=f"mode {mode + 1}")
+            euler = condition.solutions["stodola_ritz"].shape(x)[mode]
+            axes.plot(x, euler, color=colour, linewidth=1.0, linestyle=":")
+        axes.axhline(0.0, color=QUIET, linewidth=0.8, zorder=0)
+        finish(axes, "x from the aft end, m", "", run.hull.length_overall_m)
+        axes.set_ylim(-1.15, 1.15)
+        axes.set_title(condition.condition.title)
+    for axes in panels[::PANELS_ABREAST]:
+        axes.set_ylabel("mode shape Φ(x), –")
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="lower center", ncols=SHOWN_MODES)
+    return as_svg(
+        figure,
+        "modes-with-shear",
+        "Shapes of the headline, with shear deflection, dry; the Euler-Bernoulli girder's dotted. "
+        f"Each shape is scaled to {conditions[0].modes.normalisation_note}.",
+        "Shapes of modes 1 to 3 along the ship in each condition, with shear deflection and without.",
+    )
+
+
+def convergence_figure(run: Run) -> Picture:
+    """How far above the Stodola-Ritz frequency plain Ritz lies with each number of trial functions."""
+    conditions = list(run.conditions.values())
+    figure, panels = _panels(len(conditions))
+    for axes, condition in zip(panels, conditions, strict=True):
         numbers = sorted(condition.convergence_rad_s)
         frequencies = np.array([condition.convergence_rad_s[n] for n in numbers])
-        elements = condition.solutions["finite_element"].angular_frequencies[: frequencies.shape[1]]
-        above = 100 * (frequencies / elements - 1)
+        sharper = condition.solutions["stodola_ritz"].angular_frequencies[: frequencies.shape[1]]
+        above = 100 * (frequencies / sharper - 1)
         shown = np.where(above > SMALLEST_SHOWN_PERCENT, above, np.nan)
         for mode in range(frequencies.shape[1]):
             colour = SERIES[mode % len(SERIES)]
@@ -144,12 +174,28 @@ def convergence_figure(run: Run) -> Picture:
         axes.yaxis.set_minor_locator(NullLocator())
         finish(axes, "elastic trial functions N", "", None)
         axes.set_title(condition.condition.title)
-    for axes in panels[::columns]:
-        axes.set_ylabel("above finite elements, %")
-    panels[0].legend(loc="lower left")
+    for axes in panels[::PANELS_ABREAST]:
+        axes.set_ylabel("above Stodola-Ritz, %")
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="lower center", ncols=SHOWN_MODES)
     return as_svg(
         figure,
         "convergence",
-        "Ritz frequencies with N elastic trial functions and the two rigid-body ones, above those by finite elements.",
+        "Euler-Bernoulli girder: plain Ritz with N elastic trial functions and the two rigid-body ones, above "
+        "Stodola-Ritz.",
         "Differences fall as trial functions are added, mode 1 fastest.",
     )
+
+
+def _panels(count: int) -> tuple[Figure, list[Axes]]:
+    """A figure with one panel a condition, `PANELS_ABREAST` in a row, and room for a legend below them."""
+    columns = min(PANELS_ABREAST, count)
+    rows = -(-count // columns)
+    height = 2.7 * rows + 0.25
+    figure = Figure(figsize=(PAGE_WIDTH, height))
+    panels = figure.subplots(rows, columns, sharey=True, squeeze=False).ravel()
+    figure.subplots_adjust(
+        left=0.085, right=0.975, top=1 - 0.27 / height, bottom=0.71 / height, wspace=0.08, hspace=0.4
+    )
+    for unused in panels[count:]:
+        unused.set_axis_off()
+    return figure, list(panels[:count])

@@ -12,21 +12,21 @@ from typing import Any
 
 import jinja2
 
+from hullform.afloat import RADIUS_OF_GYRATION
 from hullform.checks import Check
 from hullform.files import whole_file
-from hullform.outcome import ConditionRun, Run
+from hullform.outcome import Run
 from hullform.report import girder_figures, hull_figures, hull_view
 from hullform.report.appendix import table_2_blocks
 from hullform.report.drawing import JPEG_QUALITY, Picture, house_style
 from hullform.report.published import FUNCTIONS
-from hullform.report.wording import reading_of_mode
+from hullform.report.wording import ceiling, proven_error, reading_of_mode
 from hullform.rounding import as_given, per_cent, short, signed, significant
 
 REPORT_NAME = "report.html"
 FIGURES_NAME = "figures"
 TEMPLATE = "report.html.j2"
 HEADLINE_MODES = girder_figures.SHOWN_MODES
-# A ship that fails one of these does not float as the girder is analysed.
 # What the cards of the first screen call the checks; their titles in full stand with the remedies.
 CHECK_LABELS = {
     "given-displacement": "Displacement at the design draught, read against given",
@@ -75,6 +75,7 @@ def draw_pictures(run: Run) -> dict[str, Picture]:
             girder_figures.mass_figure(run),
             girder_figures.structure_figure(run),
             *(girder_figures.modes_figure(condition) for condition in run.conditions.values()),
+            girder_figures.headline_modes_figure(run),
             girder_figures.convergence_figure(run),
         ]
     return {picture.name: picture for picture in pictures}
@@ -95,7 +96,7 @@ def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters.update(sig=significant, short=short, signed=signed, given=as_given, hz=hertz)
+    environment.filters.update(sig=significant, short=short, signed=signed, given=as_given, hz=hertz, ceiling=ceiling)
     given, weights, _ = run.ship.require_sections_of_a_run()
     context: dict[str, Any] = {
         "run": run,
@@ -114,7 +115,9 @@ def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
         "functions": FUNCTIONS,
         "per_cent": per_cent,
         "reading_of_mode": reading_of_mode,
-        "agreement": {name: largest_difference(condition) for name, condition in run.conditions.items()},
+        "errors": {name: proven_error(condition, HEADLINE_MODES) for name, condition in run.conditions.items()},
+        "radius_of_gyration_m": RADIUS_OF_GYRATION * run.ship.particulars.depth_m,
+        "gyration_over_depth": RADIUS_OF_GYRATION,
         "versions": {"hullform": version("hullform"), "Python": platform.python_version()}
         | {library: version(library) for library in LIBRARIES},
     }
@@ -124,13 +127,6 @@ def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
 def failed_checks(checks: Iterable[Check]) -> list[Check]:
     """The checks that do not hold."""
     return [check for check in checks if not check.ok]
-
-
-def largest_difference(condition: ConditionRun) -> float:
-    """Largest difference of the Ritz from the finite-element frequencies over the headline modes, in per cent."""
-    ritz = condition.modes.angular_frequencies[:HEADLINE_MODES]
-    finite_element = condition.solutions["finite_element"].angular_frequencies[:HEADLINE_MODES]
-    return float(abs(100 * (ritz / finite_element - 1)).max())
 
 
 def hertz(angular_frequency: float) -> float:

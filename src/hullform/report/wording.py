@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from hullform.outcome import ConditionRun
@@ -17,9 +19,22 @@ HARDLY_SHIFTED = 0.005
 
 
 def reading_of_mode(condition: ConditionRun, index: int) -> str:
-    """A few sentences on one mode: what it is made of, where its nodes went, why its frequency is what it is."""
+    """A few sentences on one Euler-Bernoulli mode: what it is made of, where its nodes went, why it is where it is."""
     parts = (_composition, _rigid_body, _nodes, _energy, _rise)
     return " ".join(part(condition, index) for part in parts)
+
+
+def proven_error(condition: ConditionRun, modes: int) -> float | None:
+    """Largest relative width of the proven bounds of the first Euler-Bernoulli frequencies; None without bounds."""
+    if isinstance(condition.bracket, str):
+        return None
+    return float(condition.bracket.relative_width[:modes].max())
+
+
+def ceiling(value: float) -> str:
+    """A positive bound rounded up to one figure, for 'below'."""
+    unit = 10.0 ** math.floor(math.log10(value))
+    return significant(math.ceil(value / unit) * unit, 1)
 
 
 def _composition(condition: ConditionRun, index: int) -> str:
@@ -42,7 +57,7 @@ def _composition(condition: ConditionRun, index: int) -> str:
 
 
 def _rigid_body(condition: ConditionRun, index: int) -> str:
-    modes = condition.modes
+    modes = condition.euler_modes
     if not isinstance(modes.field, UniformModeSeries):
         return ""
     heave, pitch = np.abs(modes.scale[index] * modes.field.rigid[index])
