@@ -20,12 +20,13 @@ from hullvib.errors import (
     SolutionError,
 )
 from hullvib.finite_elements import FiniteElements
-from hullvib.girder import Girder, PointMass
+from hullvib.girder import Girder
 from hullvib.girder_files import parse_girder, read_girder, write_girder
 from hullvib.girder_stack import GirderStack
 from hullvib.many import ManyModes, solve_many
 from hullvib.mode_files import write_modes
 from hullvib.modes import Modes
+from hullvib.point_masses import PointMass
 from hullvib.ritz import Ritz
 from hullvib.solving import Method, solve
 from hullvib.stodola import StodolaRitz

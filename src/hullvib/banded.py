@@ -49,8 +49,8 @@ def _dense_modes(stiffness: Array, mass: Array, modes: int) -> tuple[Array, Arra
         inverse, vectors = eigh(inertia, full(stiffness) + _SHIFT * inertia, check_finite=False)
     except np.linalg.LinAlgError:
         raise SolutionError(
-            "the girder's mass leaves a rigid-body motion without inertia, as when all of it lies at one point; "
-            "spread the mass."
+            "the matrices of the elements are singular to working accuracy: all mass lies at one point, or rigidities "
+            "or lengths of elements are too far apart; spread the mass, or take StodolaRitz."
         ) from None
     inverse, vectors = inverse[::-1][2 : modes + 2], vectors[:, ::-1][:, 2 : modes + 2]
     if inverse[-1] <= 1e-14:

@@ -7,7 +7,7 @@ then polynomials too, and their values at the same points are one matrix product
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from math import ceil, log, sqrt
 
@@ -21,8 +21,10 @@ from hullvib.quadrature import gauss
 Array = NDArray[np.float64]
 
 _LONGEST = 2.6  # rad of the highest wave in a cell
+_MOST_PARTS = 64  # of a cell that is cut for the girder's own waves
 _STEEPEST = 4.0  # largest ratio of a rigidity's values in a cell
-_SHARP = 1e-9  # of the largest rigidity: an end below this is sharp, and the moment vanishes there with the rigidity
+_SHARP = 1e-9  # of the largest rigidity: an end of the girder below this is sharp, and its moment vanishes there too
+_SHORTEST = 1e-11  # of a piece: the narrowest part that is cut in two for its steepness
 _NEAR = 1e-12  # of the length: a point mass nearer to a breakpoint than this sits on it
 _WAVE_TRUNCATION = 1e-12  # of the energy of the shortest wave; waves half as short leave 1e-16
 _POLE_TRUNCATION = 1e-13  # of any energy, in the mean over the girder
@@ -100,55 +102,67 @@ class Cells:
 
 def girder_cells(girder: Girder, wave_number: float, *, shear: bool = False) -> Cells:
     """Cells that carry waves up to wave_number (by x/L), with Gauss points for an energy good to round-off."""
-    length, total = girder.length, girder.total_mass
-    mass, rigidity = girder.mass_coefficients, girder.flexural_rigidity_coefficients
-    largest = float(rigidity.max())
-    flexibilities = [rigidity]
+    mass, length = girder.mass_coefficients, girder.length
+    flexibilities = [girder.flexural_rigidity_coefficients]
     if shear and girder.shear_rigidity_coefficients is not None:
         flexibilities.append(girder.shear_rigidity_coefficients)
     breaks = girder.breaks / length
     positions = np.array([p.x_m for p in girder.point_masses]) / length
     edges, piece, steepest = _edges(breaks, positions, flexibilities, wave_number)
-    widths = edges[1:] - edges[:-1]
     degree = max(mass.shape[1], *(c.shape[1] for c in flexibilities)) - 1
-    rule = operators(_points(widths, wave_number, steepest) + max(degree - 1, 0) // 2)
+    points = _points(edges[1:] - edges[:-1], wave_number, steepest) + max(degree - 1, 0) // 2
+    return _sampled(girder, edges, piece, operators(points), len(flexibilities) == 2)
+
+
+def refined_cells(cells: Cells, eigenvalue: float) -> Cells | None:
+    """Cells cut where the girder's own wave of an eigenvalue is longer in phase than a cell carries; None: nowhere.
+
+    The phase over a cell is the integral of (lambda m / EI)^(1/4), and of (lambda m / kGA)^(1/2) beside it.
+    """
+    ratio = cells.mass / cells.rigidity
+    if cells.shear is None and eigenvalue * float(ratio.max()) * float(cells.widths.max()) ** 4 <= _LONGEST**4:
+        return None
+    phase = np.sqrt(np.sqrt(eigenvalue * ratio)) @ cells.operators.weights * cells.widths[:, 0]
+    if cells.shear is not None:
+        shear = np.sqrt(eigenvalue * cells.mass / cells.shear) @ cells.operators.weights
+        phase += np.minimum(shear * cells.widths[:, 0], _MOST_PARTS * _LONGEST)
+    if not phase.max() > _LONGEST:
+        return None
+    counts = np.clip(np.ceil(phase / _LONGEST), 1.0, _MOST_PARTS).astype(np.intp)
+    edges, cell = _divided(cells.edges, counts)
+    piece = cell if cells.piece is None else cells.piece[cell]
+    # enough for the phase of a cell and for a pole as near as any is left
+    points = max(len(cells.operators.nodes), _points(np.ones(1), _LONGEST, np.array([_STEEPEST])))
+    return _sampled(cells.girder, edges, piece, operators(points), cells.shear is not None)
+
+
+def _sampled(girder: Girder, edges: Array, piece: NDArray[np.intp] | None, rule: Operators, with_shear: bool) -> Cells:
+    length, total = girder.length, girder.total_mass
+    breaks, largest = girder.breaks / length, float(girder.flexural_rigidity_coefficients.max())
+    widths = edges[1:] - edges[:-1]
     lumps = None
-    if len(positions):
+    if girder.point_masses:
         lumps = np.zeros(len(edges))
+        positions = np.array([p.x_m for p in girder.point_masses]) / length
         place = np.abs(edges[:, None] - positions).argmin(axis=0)
         np.add.at(lumps, place, [p.mass_kg / total for p in girder.point_masses])
-    unit = sqrt(largest / (total * length**3))
+    shear = None
+    if with_shear and girder.shear_rigidity_coefficients is not None:
+        relative = girder.shear_rigidity_coefficients * (length**2 / largest)
+        shear = _at_nodes(relative, breaks, edges, piece, rule)
     return Cells(
         girder,
         edges,
         piece,
         widths[:, None],
         edges[:-1, None] + widths[:, None] * rule.nodes,
-        _at_nodes(mass * (length / total), breaks, edges, piece, rule),
-        _at_nodes(rigidity * (1.0 / largest), breaks, edges, piece, rule),
-        _at_nodes(flexibilities[1] * (length**2 / largest), breaks, edges, piece, rule)
-        if len(flexibilities) == 2
-        else None,
+        _at_nodes(girder.mass_coefficients * (length / total), breaks, edges, piece, rule),
+        _at_nodes(girder.flexural_rigidity_coefficients * (1.0 / largest), breaks, edges, piece, rule),
+        shear,
         lumps,
         rule,
-        unit,
+        sqrt(largest / (total * length**3)),
         total,
-    )
-
-
-def resampled(cells: Cells, points: int) -> Cells:
-    """The same cells, of an Euler-Bernoulli beam, with another number of Gauss points."""
-    girder, rule = cells.girder, operators(points)
-    mass = girder.mass_coefficients * (girder.length / cells.total_mass)
-    rigidity = girder.flexural_rigidity_coefficients * (1.0 / float(girder.flexural_rigidity_coefficients.max()))
-    breaks = girder.breaks / girder.length
-    return replace(
-        cells,
-        xi=cells.edges[:-1, None] + cells.widths * rule.nodes,
-        mass=_at_nodes(mass, breaks, cells.edges, cells.piece, rule),
-        rigidity=_at_nodes(rigidity, breaks, cells.edges, cells.piece, rule),
-        shear=None,
-        operators=rule,
     )
 
 
@@ -182,8 +196,10 @@ def _edges(
     if len(positions) == 0 and parts.max() <= 1.0 and steepness.max() <= _STEEPEST:
         return breaks, None, steepness
     edges = breaks
+    last = len(widths) - 1
     for piece in np.flatnonzero(steepness > _STEEPEST):
-        edges = np.append(edges, breaks[piece] + widths[piece] * _gentle_cuts([c[piece] for c in flexibilities]))
+        cuts = _gentle_cuts([c[piece] for c in flexibilities], bool(piece == 0), bool(piece == last))
+        edges = np.append(edges, breaks[piece] + widths[piece] * cuts)
     if len(positions):
         edges = np.append(edges, positions[np.abs(positions[:, None] - breaks).min(axis=1) > _NEAR])
     edges = np.unique(edges)
@@ -191,43 +207,71 @@ def _edges(
     edges[-1] = 1.0
     widths = np.diff(edges)
     counts = np.maximum(np.ceil(widths * (wave_number / _LONGEST)), 1.0).astype(np.intp)
-    cell = np.repeat(np.arange(len(counts)), counts)
-    within = np.arange(len(cell)) - np.repeat(np.cumsum(counts) - counts, counts)
-    edges = np.append(edges[:-1][cell] + (widths / counts)[cell] * within, 1.0)
+    edges, _ = _divided(edges, counts)
     holder = np.searchsorted(breaks, 0.5 * (edges[:-1] + edges[1:]), side="right") - 1
     return edges, holder, np.minimum(steepness[holder], _STEEPEST)
+
+
+def _divided(edges: Array, counts: NDArray[np.intp]) -> tuple[Array, NDArray[np.intp]]:
+    """Edges on 0..1 with every cell in `counts` equal parts, and the cell that each part comes from."""
+    cell = np.repeat(np.arange(len(counts)), counts)
+    within = np.arange(len(cell)) - np.repeat(np.cumsum(counts) - counts, counts)
+    return np.append(edges[:-1][cell] + (np.diff(edges) / counts)[cell] * within, 1.0), cell
 
 
 def stack_edges(breaks: Array, positions: Array, rigidity: Array, wave_number: float) -> tuple[Array, int]:
     """Edges of cells on 0..1 that suit every girder of a stack, rigidity (girders, pieces, n + 1), and Gauss points.
 
-    What is steep in any girder is cut from both sides, as lines of the largest ratio would need it.
+    What is steep in any girder is cut from both sides, as lines of the largest ratio would need it; where coefficients
+    of a girder's piece vanish or are negative it is cut as that girder needs it, too.
     """
     low, high = rigidity.min(axis=2), rigidity.max(axis=2)
-    ratio = (high / low).max(axis=0)
-    lines = np.stack([np.ones_like(ratio), ratio], axis=1)
-    edges, _, steepest = _edges(
-        breaks, positions, [lines / ratio[:, None], lines[:, ::-1] / ratio[:, None]], wave_number
-    )
+    dipping = low <= _SHARP * high.max(axis=1, keepdims=True)
+    ratio = np.divide(high, low, out=np.ones_like(high), where=~dipping).max(axis=0)
+    lines = np.stack([np.ones_like(ratio), ratio], axis=1) / ratio[:, None]
+    own = list(rigidity[dipping.any(axis=1)])
+    edges, _, steepest = _edges(breaks, positions, [lines, lines[:, ::-1], *own], wave_number)
     return edges, _points(np.diff(edges), wave_number, steepest)
 
 
-def _steepness(flexibilities: list[Array]) -> Array:
-    ratio = np.ones(len(flexibilities[0]))
+def _steepness(flexibilities: list[Array], aft: bool = True, fore: bool = True) -> Array:
+    """Largest ratio of the extreme coefficients (pieces, n + 1) of a piece; infinite where one is not positive.
+
+    It is 1 where a rigidity runs out at an end of the girder, to which the first piece reaches with `aft` and the last
+    with `fore`.
+    """
+    worst = np.ones(len(flexibilities[0]))
     for coefficients in flexibilities:
         low, high = coefficients.min(axis=1), coefficients.max(axis=1)
-        gentle = low > _SHARP * high.max()
-        ratio = np.maximum(ratio, np.divide(high, low, out=np.ones_like(high), where=gentle))
-    return ratio
+        ratio = np.divide(high, low, out=np.full_like(high, np.inf), where=low > 0.0)
+        floor = _SHARP * float(high.max())
+        if (aft and coefficients[0, 0] <= floor) or (fore and coefficients[-1, -1] <= floor):
+            for piece, ends in ((0, (aft, False)), (-1, (False, fore))):
+                row = coefficients[piece]
+                ends = (aft, fore) if len(coefficients) == 1 else ends
+                above = np.flatnonzero(row > floor)
+                if not len(above):
+                    continue
+                first = above[0] if ends[0] else 0
+                last = above[-1] if ends[1] else len(row) - 1
+                # what is left of the sharp end is gentle by itself: moment and rigidity vanish together
+                if (first > 0 or last < len(row) - 1) and row[first : last + 1].min() > floor:
+                    ratio[piece] = 1.0
+        worst = np.maximum(worst, ratio)
+    return worst
 
 
-def _gentle_cuts(rows: list[Array]) -> Array:
-    """Positions on the unit interval that cut polynomials (Bernstein rows) into parts of gentle slope, by halving."""
+def _gentle_cuts(rows: list[Array], aft: bool, fore: bool) -> Array:
+    """Positions on the unit interval that cut polynomials (Bernstein rows) into parts of gentle slope, by halving.
+
+    aft and fore: the interval begins, ends with the girder.
+    """
     cuts: list[float] = []
     waiting = [(0.0, 1.0, rows)]
     while waiting:
         left, right, parts = waiting.pop()
-        if right - left < 1e-6 or float(_steepness([part[None, :] for part in parts])[0]) <= _STEEPEST:
+        ends = (aft and left == 0.0, fore and right == 1.0)
+        if right - left < _SHORTEST or float(_steepness([part[None, :] for part in parts], *ends)[0]) <= _STEEPEST:
             continue
         middle = 0.5 * (left + right)
         halves = [bernstein.split(part, 0.5) for part in parts]

@@ -1,16 +1,20 @@
-"""The command `hullvib`: a girder file in, a table or JSON of natural frequencies out."""
+"""The command `hullvib`: a girder file in, a table or JSON of natural frequencies out.
+
+Exit codes: 0 done; 1 the input is wrong or the output cannot be written; 2 usage; 130 interrupted.
+"""
 
 from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
 from hullvib.bounds import bracket
-from hullvib.errors import HullvibError, SolutionError
+from hullvib.errors import GirderFileError, HullvibError, SolutionError
 from hullvib.finite_elements import FiniteElements
 from hullvib.girder import Girder
 from hullvib.girder_files import parse_girder, read_girder
@@ -34,19 +38,49 @@ _METHODS: dict[str, tuple[Callable[..., Method], tuple[str, ...]]] = {
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Runs the command; returns the exit code: 0 done, 1 the input is wrong. Wrong usage exits with 2."""
+    """Runs the command; returns the exit code. Wrong usage exits with 2."""
     parser = _parser()
     options = parser.parse_args(arguments)
     settings = _settings(parser, options)
     try:
-        girder = _girder(options.girder)
-        method = None if options.tolerance is not None else _METHODS[options.method or "stodola"][0](**settings)
-        modes = solve(girder, method, options.modes, tolerance=options.tolerance)
-        if options.shapes is not None:
-            write_modes(modes, options.shapes)
+        text = _solve(options, settings)
+        if sys.stdout is None:
+            return _refuse("the standard output is closed; there is nowhere to write the frequencies.")
+        print(text, flush=True)
     except HullvibError as error:
-        print(f"hullvib: {error}", file=sys.stderr)
-        return 1
+        return _refuse(str(error))
+    except KeyboardInterrupt:
+        print("hullvib: interrupted", file=sys.stderr)
+        return 130
+    except BrokenPipeError:
+        # whoever read the output has gone; what is left of it goes nowhere, quietly
+        _drop_output()
+    except OSError as error:
+        _drop_output()
+        return _refuse(f"the standard output cannot be written ({error.strerror}).")
+    return 0
+
+
+def _refuse(reason: str) -> int:
+    print(f"hullvib: {reason}", file=sys.stderr)
+    return 1
+
+
+def _drop_output() -> None:
+    """Lets the interpreter flush what is left in the buffer of the standard output into nothing."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _solve(options: argparse.Namespace, settings: Mapping[str, object]) -> str:
+    """The text to print; warnings and notes go to the standard error."""
+    girder = _girder(options.girder)
+    method = None if options.tolerance is not None else _METHODS[options.method or "stodola"][0](**settings)
+    # what overflows is refused by its result
+    with np.errstate(all="ignore"):
+        modes = solve(girder, method, options.modes, tolerance=options.tolerance)
+        bounds = proven_bounds(modes)
+    if options.shapes is not None:
+        write_modes(modes, options.shapes)
     for warning in implausible(modes):
         print(f"hullvib: warning: {warning}", file=sys.stderr)
     if girder.shear_rigidity_coefficients is not None and not modes.shear_flexible:
@@ -55,13 +89,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
             "takes it in.",
             file=sys.stderr,
         )
-    bounds = proven_bounds(modes)
     if options.json:
         content = {"girder": girder.name, "solutions": [{**solution_record(modes), **bounds}]}
-        print(json.dumps(content, indent=2, allow_nan=False))
-    else:
-        print(_table(modes, bounds))
-    return 0
+        return json.dumps(content, indent=2, allow_nan=False)
+    return _table(modes, bounds)
 
 
 def _settings(parser: argparse.ArgumentParser, options: argparse.Namespace) -> dict[str, object]:
@@ -88,6 +119,8 @@ def proven_bounds(modes: Modes) -> dict[str, object]:
         proven = bracket(modes.girder, count, functions=max(12, count + 7, own))
     except SolutionError as reason:
         return {"not_proven": str(reason)}
+    if not np.isfinite([proven.lower, proven.upper]).all():
+        return {"not_proven": "the bounds overflow; give the girder in kg, m and N"}
     return {"lower_rad_s": proven.lower.tolist(), "upper_rad_s": proven.upper.tolist(), "proof": proven.proof}
 
 
@@ -98,6 +131,7 @@ def _parser() -> argparse.ArgumentParser:
         "solve",
         help="natural frequencies of a girder",
         description="Natural frequencies of a free-free girder in vertical bending, dry.",
+        epilog="Exit codes: 0 done, 1 the input is wrong or the output cannot be written, 2 usage, 130 interrupted.",
     )
     command.add_argument("girder", metavar="GIRDER", help="girder.csv or girder.json; - reads the standard input")
     command.add_argument(
@@ -121,7 +155,13 @@ def _parser() -> argparse.ArgumentParser:
 
 def _girder(path: str) -> Girder:
     if path == "-":
-        return parse_girder(sys.stdin.read(), source="standard input")
+        if sys.stdin is None:
+            raise GirderFileError("standard input: is closed; give a girder.csv or girder.json.")
+        try:
+            text = sys.stdin.buffer.read().decode("utf-8-sig")
+        except UnicodeDecodeError:
+            raise GirderFileError("standard input: is not text in UTF-8; give a girder.csv or girder.json.") from None
+        return parse_girder(text, source="standard input")
     return read_girder(path)
 
 

@@ -2,10 +2,11 @@
 
     V' = omega^2 m Phi,   M' = V - omega^2 J psi,   M(0) = V(0) = 0,   dM/dx = V without rotary inertia,
 
-with jumps of V by omega^2 M_p Phi at point masses, and of M by -omega^2 J_p psi. Two integrations of the shape are
-smoother than its two derivatives: where EI jumps, a series of smooth functions has a curvature that is wrong by tens of
-per cent at modes right to a per mille. M and V vanish at the fore end as far as the mode is orthogonal to the
-rigid-body motions; the paper's basis without rigid-body functions is not.
+with jumps of V by omega^2 M_p Phi at point masses, and of M by -omega^2 J_p psi. M is positive in sagging, of the sign
+of EI psi', and the shear strain w' - psi is -V / kGA. Two integrations of the shape are smoother than its two
+derivatives: where EI jumps, a series of smooth functions has a curvature that is wrong by tens of per cent at modes
+right to a per mille. M and V vanish at the fore end as far as the mode is orthogonal to the rigid-body motions; the
+paper's basis without rigid-body functions is not.
 """
 
 from __future__ import annotations

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -11,32 +10,24 @@ from numpy.typing import ArrayLike, NDArray
 
 from hullvib import bernstein
 from hullvib.errors import GirderError
-from hullvib.girder_checks import checked_breaks, checked_pieces, checked_rows, checked_table
+from hullvib.girder_checks import checked_breaks, checked_pieces, checked_rows
 from hullvib.girder_fit import fitted_pieces
+from hullvib.girder_pieces import (
+    NEAR,
+    Table,
+    cut,
+    labelled,
+    pieces_of_polynomials,
+    pieces_of_table,
+    pieces_of_tables,
+    present,
+)
+from hullvib.point_masses import PointMass
 
 if TYPE_CHECKING:
     from typing import Self
 
 Array = NDArray[np.float64]
-Table = tuple[ArrayLike, ArrayLike]
-
-_NEAR = 1e-9  # of the length: breakpoints of two tables that are closer than this are one
-
-
-@dataclass(frozen=True, slots=True)
-class PointMass:
-    """A mass at one position: x_m (m), mass_kg (kg), rotary inertia about its own centre (kg m^2)."""
-
-    x_m: float
-    mass_kg: float
-    rotary_inertia_kg_m2: float = 0.0
-
-    def __post_init__(self) -> None:
-        for key in ("x_m", "mass_kg", "rotary_inertia_kg_m2"):
-            value = getattr(self, key)
-            if not np.isfinite(value) or (key != "x_m" and value < 0.0):
-                raise GirderError(f"point mass: {key} is {value}; give a finite number, not negative.")
-            object.__setattr__(self, key, float(value) + 0.0)
 
 
 class _Content(NamedTuple):
@@ -54,11 +45,13 @@ class Girder:
     at the two ends of the beam; shear_rigidity (n,) kGA in N, > 0, and rotary_inertia (n,) in kg m, >= 0, both
     optional; point_masses; name. Raises GirderError.
 
-    Shear rigidity and rotary inertia (of point masses too) are kept, written and read back. The methods of this
-    package that solve the Euler-Bernoulli beam do not use them, and their results say so: `Modes.theory`.
+    Who uses the optional properties: `TimoshenkoRitz` and `TimoshenkoElements` the shear rigidity and, unless told
+    otherwise, the rotary inertia, of point masses too; `StodolaRitz(shear=True)` the shear rigidity alone;
+    `FiniteElements(rotary_inertia=True)` the rotary inertia alone. `StodolaRitz()`, `Ritz`, `FiniteElements()` and
+    `solve_many` solve the Euler-Bernoulli beam without either; results say so in `Modes.theory`.
 
     A girder is immutable, can be pickled, and is equal to another of the same content; the name is a label and does
-    not count. `residual` is the relative residual of the fit of `from_functions`, 0 for every other origin.
+    not count. `residual` is the relative residual of the fit of `from_functions`, 0 for a girder of any other origin.
     """
 
     __slots__ = (
@@ -93,16 +86,8 @@ class Girder:
         point_masses: Iterable[PointMass] = (),
         name: str = "",
     ) -> None:
-        columns = {
-            "mass per length": mass_per_length,
-            "flexural rigidity": flexural_rigidity,
-            "shear rigidity": shear_rigidity,
-            "rotary inertia": rotary_inertia,
-        }
-        positions, tables = checked_table(x, columns)
-        bays = np.flatnonzero(np.diff(positions) > 0.0)
-        breaks = np.append(positions[bays], positions[-1])
-        pieces = [None if table is None else np.stack([table[bays], table[bays + 1]], axis=1) for table in tables]
+        columns = labelled(mass_per_length, flexural_rigidity, shear_rigidity, rotary_inertia)
+        breaks, pieces = pieces_of_table(x, columns)
         self._fill(breaks, pieces, point_masses, name)
 
     @classmethod
@@ -119,32 +104,9 @@ class Girder:
 
         All tables run from 0 to the same length. Raises GirderError.
         """
-        given = {
-            "mass per length": mass,
-            "flexural rigidity": rigidity,
-            "shear rigidity": shear_rigidity,
-            "rotary inertia": rotary_inertia,
-        }
-        tables: list[tuple[Array, Array] | None] = []
-        for label, table in given.items():
-            if table is None:
-                tables.append(None)
-                continue
-            positions, (values,) = checked_table(table[0], {label: table[1]})
-            tables.append((positions, _present(values)))
-        lengths = {label: t[0][-1] for label, t in zip(given, tables, strict=True) if t is not None}
-        length = lengths["mass per length"]
-        for label, end in lengths.items():
-            if abs(end - length) > _NEAR * length:
-                raise GirderError(
-                    f"{label} ends at x = {end:g} m but mass per length at x = {length:g} m; "
-                    "let every table run over the whole length."
-                )
-        merged = np.unique(np.concatenate([t[0] for t in tables if t is not None]))
-        merged = merged[np.append(True, np.diff(merged) > _NEAR * length)]
-        merged[-1] = length
-        pieces = [None if table is None else _on_breaks(*table, merged) for table in tables]
-        return cls._of(merged, pieces, point_masses, name)
+        given = labelled(mass, rigidity, shear_rigidity, rotary_inertia)
+        breaks, pieces = pieces_of_tables(given)
+        return cls._of(breaks, pieces, point_masses, name)
 
     @classmethod
     def from_polynomials(
@@ -163,14 +125,8 @@ class Girder:
         m(x) = a_0 + a_1 s + a_2 s^2 + ..., with s in metres. breaks (pieces + 1,) in m; mass, rigidity and the two
         optional properties hold `pieces` sequences, which may differ in length. Raises GirderError.
         """
-        edges = checked_breaks(breaks)
-        given = {
-            "mass per length": mass,
-            "flexural rigidity": rigidity,
-            "shear rigidity": shear_rigidity,
-            "rotary inertia": rotary_inertia,
-        }
-        pieces = [None if p is None else _power_to_bernstein(label, edges, p) for label, p in given.items()]
+        given = labelled(mass, rigidity, shear_rigidity, rotary_inertia)
+        edges, pieces = pieces_of_polynomials(breaks, given)
         return cls._of(edges, pieces, point_masses, name)
 
     @classmethod
@@ -186,12 +142,7 @@ class Girder:
     ) -> Self:
         """Girder from Bernstein coefficients, (pieces, degree + 1) a property, on breaks (pieces + 1,) in m."""
         edges = checked_breaks(breaks)
-        given = {
-            "mass per length": mass,
-            "flexural rigidity": rigidity,
-            "shear rigidity": shear_rigidity,
-            "rotary inertia": rotary_inertia,
-        }
+        given = labelled(mass, rigidity, shear_rigidity, rotary_inertia)
         pieces = [None if rows is None else checked_rows(label, rows) for label, rows in given.items()]
         return cls._of(edges, pieces, point_masses, name)
 
@@ -229,7 +180,7 @@ class Girder:
     ) -> None:
         masses = tuple(sorted(point_masses, key=lambda p: (p.x_m, p.mass_kg, p.rotary_inertia_kg_m2)))
         mass, rigidity, shear, rotary = checked_pieces(breaks, pieces, [(p.x_m, p.mass_kg) for p in masses])
-        values = (breaks + 0.0, _present(mass), _present(rigidity), shear, rotary)
+        values = (breaks + 0.0, present(mass), present(rigidity), shear, rotary)
         for array in values:
             if array is not None:
                 array.flags.writeable = False
@@ -289,7 +240,7 @@ class Girder:
         """The same girder with further breakpoints at positions (m); the properties do not change."""
         girder = self
         for position in np.atleast_1d(np.asarray(positions, dtype=np.float64)):
-            near = np.abs(girder.breaks - position).min() <= _NEAR * self.length
+            near = np.abs(girder.breaks - position).min() <= NEAR * self.length
             if not near:
                 girder = girder._cut(float(position))
         return girder
@@ -299,15 +250,9 @@ class Girder:
             raise GirderError(f"cannot cut at x = {position:g} m; the girder runs from 0 to {self.length:g} m.")
         piece = int(np.searchsorted(self.breaks, position)) - 1
         t = (position - self.breaks[piece]) / (self.breaks[piece + 1] - self.breaks[piece])
-
-        def cut(coefficients: Array | None) -> Array | None:
-            if coefficients is None:
-                return None
-            parts = np.stack(bernstein.split(coefficients[piece], t))
-            return np.concatenate([coefficients[:piece], parts, coefficients[piece + 1 :]])
-
+        pieces = [None if c is None else cut(c, piece, t) for c in self._properties()]
         breaks = np.insert(self.breaks, piece + 1, position)
-        return Girder._of(breaks, [cut(c) for c in self._properties()], self.point_masses, self.name)
+        return _restore(breaks, pieces, self.point_masses, self.name, self.residual)
 
     def _properties(self) -> tuple[Array, Array, Array | None, Array | None]:
         return (
@@ -319,7 +264,7 @@ class Girder:
 
     def _evaluate(self, coefficients: Array, x: ArrayLike) -> Array:
         positions = np.asarray(x, dtype=np.float64)
-        slack = _NEAR * self.length
+        slack = NEAR * self.length
         if not bool(np.all((positions >= -slack) & (positions <= self.length + slack))):
             raise GirderError(f"x lies outside the girder, which runs from 0 to {self.length:g} m.")
         piece = np.clip(np.searchsorted(self.breaks, positions, side="right") - 1, 0, len(self.breaks) - 2)
@@ -365,37 +310,3 @@ def _restore(
     girder = Girder._of(breaks, pieces, point_masses, name)
     object.__setattr__(girder, "residual", residual)
     return girder
-
-
-def _present(values: Array | None) -> Array:
-    if values is None:
-        raise GirderError("mass per length and flexural rigidity are both needed; one of them is missing.")
-    return values
-
-
-def _on_breaks(x: Array, values: Array, breaks: Array) -> Array:
-    """End values of a table's lines on the pieces of a finer partition, (pieces, 2)."""
-    middle = 0.5 * (breaks[:-1] + breaks[1:])
-    bay = np.clip(np.searchsorted(x, middle, side="right") - 1, 0, len(x) - 2)
-    width = x[bay + 1] - x[bay]
-    ends = []
-    for edge in (breaks[:-1], breaks[1:]):
-        t = np.clip((edge - x[bay]) / width, 0.0, 1.0)
-        ends.append(values[bay] * (1.0 - t) + values[bay + 1] * t)
-    return np.stack(ends, axis=1)
-
-
-def _power_to_bernstein(label: str, breaks: Array, polynomials: Sequence[ArrayLike]) -> Array:
-    rows = [np.atleast_1d(checked_rows(label, p)) for p in polynomials]
-    if len(rows) != len(breaks) - 1:
-        raise GirderError(
-            f"{label} holds {len(rows)} polynomials but {len(breaks)} breaks make {len(breaks) - 1} pieces; "
-            "give one polynomial a piece."
-        )
-    size = max(len(row) for row in rows)
-    if size == 0 or any(row.ndim != 1 or len(row) == 0 for row in rows):
-        raise GirderError(f"{label} has an empty polynomial; give at least its constant coefficient.")
-    power = np.zeros((len(rows), size))
-    for row, coefficients in zip(power, rows, strict=True):
-        row[: len(coefficients)] = coefficients
-    return bernstein.from_power(power, np.diff(breaks))

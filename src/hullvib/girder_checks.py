@@ -14,13 +14,13 @@ Array = NDArray[np.float64]
 
 _SHORTEST = 1e-9  # of the length; shorter bays are round-off of a jump
 _ROUND_OFF = 1e-13  # of the largest coefficient; a fit leaves this much below zero at a sharp end
-_PROPERTIES = ("mass per length", "flexural rigidity", "shear rigidity", "rotary inertia")
+PROPERTIES = ("mass per length", "flexural rigidity", "shear rigidity", "rotary inertia")
 
 
 def _column(label: str, values: ArrayLike) -> Array:
     try:
         column = np.array(values, dtype=np.float64)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise GirderError(f"{label} is not a sequence of numbers ({error}).") from None
     if column.ndim != 1:
         raise GirderError(f"{label} has {column.ndim} dimensions; give one value a breakpoint, in one dimension.")
@@ -34,7 +34,7 @@ def checked_rows(label: str, values: ArrayLike) -> Array:
     """Coefficients as an array of any shape; ragged rows and words are refused."""
     try:
         return np.array(values, dtype=np.float64)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise GirderError(f"{label} does not hold equally long rows of numbers ({error}).") from None
 
 
@@ -91,7 +91,7 @@ def checked_pieces(
 ) -> list[Array | None]:
     """Copies of the properties' Bernstein coefficients, in physical range."""
     clean: list[Array | None] = []
-    for label, given in zip(_PROPERTIES, pieces, strict=True):
+    for label, given in zip(PROPERTIES, pieces, strict=True):
         if given is None:
             clean.append(None)
             continue

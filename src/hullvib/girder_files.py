@@ -20,7 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullvib.errors import GirderError, GirderFileError
-from hullvib.girder import Girder, PointMass
+from hullvib.girder import Girder
+from hullvib.point_masses import PointMass
 
 Array = NDArray[np.float64]
 
@@ -167,6 +168,11 @@ def _from_csv(text: str, source: str, name: str) -> Girder:
 
 
 def _checked_header(cells: list[str], where: str) -> list[str]:
+    separator = next((name for sign, name in ((";", "semicolons"), ("\t", "tabs")) if sign in "".join(cells)), None)
+    if separator:
+        raise GirderFileError(
+            f"{where}: the columns are separated by {separator}; separate them by commas, with points in the decimals."
+        )
     missing = [key for key in _REQUIRED if key not in cells]
     unknown = [key for key in cells if key not in (*_REQUIRED, *_OPTIONAL)]
     if missing or unknown or len(set(cells)) != len(cells):
@@ -232,6 +238,10 @@ def _from_json(text: str, source: str, name: str) -> Girder:
         content = json.loads(text)
     except json.JSONDecodeError as error:
         raise GirderFileError(f"{source}, line {error.lineno}: is not JSON ({error.msg}).") from None
+    except ValueError:
+        raise GirderFileError(f"{source}: holds a whole number of thousands of digits; give SI values.") from None
+    except RecursionError:
+        raise GirderFileError(f"{source}: is nested too deeply; properties are lists of lists of numbers.") from None
     for key in content:
         if key not in _KEYS:
             where = _place(text, key, source)
@@ -256,7 +266,7 @@ def _from_json(text: str, source: str, name: str) -> Girder:
     except GirderError as error:
         keys = [key for key, label in _LABELS.items() if str(error).startswith(label)]
         raise GirderFileError(f"{_place(text, keys[0], source) if keys else source}: {error}") from error
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise GirderFileError(
             f"{source}: breaks_m must be a list of numbers, each property one list of coefficients a piece ({error})."
         ) from None

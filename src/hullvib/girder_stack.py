@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from hullvib.errors import GirderError
-from hullvib.girder import Girder, PointMass
+from hullvib.girder import Girder
 from hullvib.girder_checks import checked_breaks
+from hullvib.point_masses import PointMass
 
 Array = NDArray[np.float64]
 
@@ -22,7 +23,8 @@ class GirderStack:
     breaks (pieces + 1,) in m from 0; mass (girders, pieces, d + 1) in kg/m and rigidity (girders, pieces, e + 1) in
     N m^2 are the Bernstein coefficients of the pieces, for lines the values at their two ends; all finite, of the mass
     none negative, of the rigidity all positive. Point masses stand at the places point_x (points,) in m, which all
-    girders share, with point_mass (girders, points) in kg. Raises GirderError.
+    girders share, with point_mass (girders, points) in kg. The stack keeps copies, which cannot be written to. Raises
+    GirderError.
     """
 
     breaks: Array
@@ -33,11 +35,17 @@ class GirderStack:
 
     def __post_init__(self) -> None:
         breaks = checked_breaks(self.breaks)
-        points = np.asarray(self.point_x, dtype=np.float64)
-        count = len(self.mass)
-        lumps = np.zeros((count, len(points))) if self.point_mass is None else self.point_mass
-        for name, array, positive in (("mass", self.mass, False), ("rigidity", self.rigidity, True)):
-            values = np.asarray(array, dtype=np.float64)
+        points = _numbers("point_x", self.point_x)
+        mass, rigidity = _numbers("mass", self.mass), _numbers("rigidity", self.rigidity)
+        count = len(mass) if mass.ndim else 0
+        if count == 0:
+            raise GirderError(f"mass has the shape {mass.shape}; a stack needs at least one girder.")
+        if points.ndim != 1:
+            raise GirderError(f"point_x has the shape {points.shape}; give the places in one dimension.")
+        lumps = np.zeros((count, len(points)))
+        if self.point_mass is not None:
+            lumps = _numbers("point_mass", self.point_mass)
+        for name, values, positive in (("mass", mass, False), ("rigidity", rigidity, True)):
             if values.ndim != 3 or values.shape[:2] != (count, len(breaks) - 1) or values.shape[2] < 2:
                 raise GirderError(
                     f"{name} has the shape {values.shape}; give ({count} girders, {len(breaks) - 1} pieces, 2 or more "
@@ -50,8 +58,6 @@ class GirderStack:
                     f"{name} is {values[tuple(place)]:g} in girder {place[0]}, piece {place[1]}; a stack takes finite "
                     f"numbers, {'positive' if positive else 'not negative'}: solve that girder alone."
                 )
-            object.__setattr__(self, name, values)
-        lumps = np.asarray(lumps, dtype=np.float64)
         inside = (points >= 0.0) & (points <= breaks[-1])
         if (
             lumps.shape != (count, len(points))
@@ -62,9 +68,10 @@ class GirderStack:
                 f"point masses have the shape {lumps.shape}; give ({count} girders, {len(points)} places), finite and "
                 f"not negative, at places within 0 .. {breaks[-1]:g} m."
             )
-        object.__setattr__(self, "breaks", breaks)
-        object.__setattr__(self, "point_x", points)
-        object.__setattr__(self, "point_mass", lumps)
+        own = {"breaks": breaks, "mass": mass, "rigidity": rigidity, "point_x": points, "point_mass": lumps}
+        for name, values in own.items():
+            values.flags.writeable = False
+            object.__setattr__(self, name, values)
 
     @classmethod
     def from_girders(cls, girders: Sequence[Girder]) -> GirderStack:
@@ -106,3 +113,11 @@ class GirderStack:
     def lumps(self) -> Array:
         """The point masses in kg, (girders, points), also where none were given."""
         return np.zeros((len(self), 0)) if self.point_mass is None else self.point_mass
+
+
+def _numbers(name: str, values: ArrayLike) -> Array:
+    """A copy as an array of numbers."""
+    try:
+        return np.array(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise GirderError(f"{name} is not an array of numbers ({error}).") from None

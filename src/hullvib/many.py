@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullvib import bernstein
+from hullvib.arguments import is_whole
 from hullvib.cells import Operators, operators, stack_edges
 from hullvib.errors import ArgumentError, SolutionError
 from hullvib.girder_stack import GirderStack
@@ -54,7 +55,7 @@ def solve_many(stack: GirderStack, method: Ritz | StodolaRitz | None = None, mod
     ArgumentError for other settings, SolutionError where a girder's mass has not so many modes.
     """
     method = StodolaRitz(steps=1) if method is None else method
-    if not 1 <= modes <= method.functions:
+    if not is_whole(modes, 1, method.functions):
         raise ArgumentError(f"{modes} modes were asked of {method.functions} trial functions.")
     if isinstance(method, StodolaRitz):
         if method.shear:
@@ -81,6 +82,11 @@ def solve_many(stack: GirderStack, method: Ritz | StodolaRitz | None = None, mod
     total, largest = _units(stack)
     omega *= np.sqrt(largest / (total * length**3))[:, None]
     shapes /= np.sqrt(total)[:, None, None]
+    wrong = ~np.isfinite(omega) | (omega == 0.0)
+    if wrong.any():
+        number = int(np.argwhere(wrong)[0][0])
+        raise SolutionError(f"the numbers of girder {number} are too large or too small; give kg, m and N.")
+    omega.flags.writeable = shapes.flags.writeable = False
     return ManyModes(omega, shapes, stack, record)
 
 

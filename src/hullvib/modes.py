@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hullvib.errors import ArgumentError
+from hullvib.errors import ArgumentError, SolutionError
 from hullvib.fields import Field, LoadedField
 from hullvib.forces import InertiaLoads, inertia_loads, section_rotation
 from hullvib.girder import Girder
@@ -36,6 +36,11 @@ class Modes:
     say what was solved; method is the record of how (`{"method": "ritz", "functions": 12, ...}`); rotary tells whether
     the girder's rotary inertia took part. A shape is a deflection in metres where its largest value counts as 1 m:
     rotations are then in rad, moments in N m, shear forces in N.
+
+    Signs: Phi is positive up and x forward. The bending moment M = EI d psi/dx (EI Phi'' without shear) is positive in
+    sagging, keel in tension, opposite to still-water diagrams that count hogging positive. The shear force is
+    V = omega^2 int_0^x m Phi, dM/dx = V without rotary inertia, and the shear strain is -V / kGA.
+    Raises SolutionError for a frequency, modal mass or scale that is 0 or not finite.
     """
 
     angular_frequencies: Array
@@ -48,6 +53,18 @@ class Modes:
     theory: str = "Euler-Bernoulli"
     medium: str = "dry"
     rotary: bool = False
+
+    def __post_init__(self) -> None:
+        for key in ("angular_frequencies", "modal_mass", "scale"):
+            own = np.array(getattr(self, key), dtype=np.float64)
+            wrong = ~np.isfinite(own) | (own == 0.0)
+            if wrong.any():
+                raise SolutionError(
+                    f"{key.replace('_', ' ')} {own[wrong][0]:g} came out: the girder's numbers are too large or too "
+                    "small for each other; give mass in kg, length in m and rigidity in N m^2."
+                )
+            own.flags.writeable = False
+            object.__setattr__(self, key, own)
 
     @property
     def frequencies_hz(self) -> Array:
@@ -95,11 +112,13 @@ class Modes:
         return self._rotation(x, 1)
 
     def shear_strain(self, x: ArrayLike) -> Array:
-        """dPhi/dx - psi in 1/m at x (points,) in m, (modes, points): 0 but for a shear-flexible theory."""
+        """dPhi/dx - psi in 1/m at x (points,) in m, (modes, points): -V / kGA; 0 but for a shear-flexible theory."""
         return self.slope(x) - self.rotation(x)
 
     def moment(self, x: ArrayLike) -> Array:
-        """Bending moment in N m per metre of the shape at x (points,) in m, (modes, points), of the sign of curvature.
+        """Bending moment in N m per metre of the shape at x (points,) in m, (modes, points), positive in sagging.
+
+        Of the sign of EI d psi/dx: positive where the girder is bent concave upwards.
 
         From the equilibrium of the inertia loads (`hullvib.forces`), which is smooth where the curvature is poor;
         forward of a point mass where one stands, aft of it at the fore end.
@@ -111,7 +130,8 @@ class Modes:
     def shear(self, x: ArrayLike) -> Array:
         """Shear force V in N per metre of the shape at x (points,) in m, (modes, points), V = omega^2 int_0^x m Phi.
 
-        dM/dx = V where no rotary inertia acts; forward of a point mass where one stands, aft of it at the fore end.
+        dM/dx = V where no rotary inertia acts, and the shear strain is -V / kGA; forward of a point mass where one
+        stands, aft of it at the fore end.
         """
         xi = self._checked(x)
         own = self.field.shear(xi) if isinstance(self.field, LoadedField) else self._loads.forces(xi)[1]

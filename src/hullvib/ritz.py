@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve, eigh
 
+from hullvib.arguments import is_whole
 from hullvib.errors import ArgumentError, SolutionError
 from hullvib.fields import Field, TrialSeries, UniformModeSeries
 from hullvib.girder import Girder
@@ -51,7 +52,7 @@ class Ritz:
 
     def solve(self, girder: Girder, modes: int) -> Modes:
         """The first `modes` elastic modes. Raises ArgumentError, SolutionError."""
-        if not 1 <= modes <= self.functions:
+        if not is_whole(modes, 1, self.functions):
             raise ArgumentError(
                 f"{modes} modes were asked of {self.functions} trial functions; ask for 1 to {self.functions} "
                 "or give more functions."
@@ -72,8 +73,8 @@ def check_basis(basis: str, functions: int) -> None:
     """Raises ArgumentError for a basis that does not exist and a number of functions outside 1 to 400."""
     if basis not in ("uniform", "legendre"):
         raise ArgumentError(f"basis is {basis!r}; give 'uniform' or 'legendre'.")
-    if not 1 <= functions <= 400:
-        raise ArgumentError(f"functions is {functions}; give 1 to 400 elastic trial functions.")
+    if not is_whole(functions, 1, 400):
+        raise ArgumentError(f"functions is {functions!r}; give 1 to 400 elastic trial functions.")
 
 
 def trials_of(girder: Girder, functions: int, basis: Basis) -> Trials:

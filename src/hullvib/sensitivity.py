@@ -41,7 +41,8 @@ def rigidity_sensitivity(modes: Modes, x: ArrayLike) -> Array:
 def shear_rigidity_sensitivity(modes: Modes, x: ArrayLike) -> Array:
     """d omega / dkGA(x) in rad/s per N over a metre, at x (points,) in m; (modes, points), >= 0.
 
-    gamma = V / kGA with the shear force from equilibrium. Raises ArgumentError for modes of a theory without shear.
+    gamma = -V / kGA with the shear force from equilibrium; the curve has its square. Raises ArgumentError for modes of
+    a theory without shear.
     """
     rigidity = modes.girder.shear_rigidity(_row(x))
     if rigidity is None or not modes.shear_flexible:
@@ -49,7 +50,7 @@ def shear_rigidity_sensitivity(modes: Modes, x: ArrayLike) -> Array:
             f"the theory is {modes.theory!r}, in which shear rigidity plays no part; solve by a method for "
             "Timoshenko's beam."
         )
-    return _raised(modes, _strain(modes.shear(x), rigidity, modes.shear_strain(x)))
+    return _raised(modes, _strain(-modes.shear(x), rigidity, modes.shear_strain(x)))
 
 
 def _row(x: ArrayLike) -> Array:

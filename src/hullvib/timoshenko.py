@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hullvib.arguments import is_whole
 from hullvib.errors import ArgumentError
 from hullvib.fields import TimoshenkoSeries
 from hullvib.finite_elements import has_rotary_inertia, rotary_note
@@ -47,7 +48,7 @@ class TimoshenkoRitz:
 
     def solve(self, girder: Girder, modes: int) -> Modes:
         """The first `modes` elastic modes. Raises ArgumentError, SolutionError."""
-        if not 1 <= modes <= self.functions:
+        if not is_whole(modes, 1, self.functions):
             raise ArgumentError(
                 f"{modes} modes were asked of {self.functions} trial functions; ask for 1 to {self.functions} "
                 "or give more functions."

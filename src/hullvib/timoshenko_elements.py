@@ -12,11 +12,12 @@ Theory of Matrix Structural Analysis, eq. (5.116)).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hullvib.arguments import is_whole
 from hullvib.banded import banded, elastic_modes
 from hullvib.energies import polished
 from hullvib.errors import ArgumentError, SolutionError
@@ -26,6 +27,7 @@ from hullvib.finite_elements import (
     check_elements,
     has_rotary_inertia,
     mesh,
+    rigid_motion,
     rotary_note,
 )
 from hullvib.girder import Girder
@@ -44,7 +46,7 @@ class TimoshenkoElements:
 
     The girder must have a shear rigidity. Its rotary inertia takes part where it has any, unless rotary_inertia=False;
     without it the theory is called "shear-flexible". Frequencies are upper bounds with an error of the order h^4 in
-    omega^2. Raises ArgumentError.
+    omega^2; short elements are refused as `FiniteElements` refuses them. Raises ArgumentError.
     """
 
     elements: int = 100
@@ -58,20 +60,22 @@ class TimoshenkoElements:
         shear_rigidity_of(girder)
         nodes = mesh(girder, self.elements)
         most = 4 * (len(nodes) - 1)
-        if not 1 <= modes <= most:
+        if not is_whole(modes, 1, most):
             raise ArgumentError(
                 f"{modes} modes were asked of {len(nodes) - 1} elements; ask for 1 to {most} or give more elements."
             )
         rotary = self.rotary_inertia and has_rotary_inertia(girder)
         stiffness, mass, unit = assemble(girder, nodes, rotary=rotary)
-        _, vectors, solver = elastic_modes(stiffness, mass, modes)
+        eigenvalues, vectors, solver = elastic_modes(stiffness, mass, modes)
 
         def field_of(rows: Array) -> ShearFlexibleElements:
             angles, constant, linear = (rows[:, first::4] / unit for first in (1, 2, 3))
             return ShearFlexibleElements(nodes, rows[:, 0::4], angles, constant, linear)
 
-        squares, mixture = polished(girder, field_of(vectors.T), nodes, rotary=rotary, shear=True)
-        field = field_of(mixture.T @ vectors.T)
+        squares, mixture, rigid = polished(girder, field_of(vectors.T), nodes, eigenvalues, rotary=rotary, shear=True)
+        own = field_of(mixture.T @ vectors.T)
+        values, slopes = rigid_motion(nodes, rigid)
+        field = replace(own, values=own.values + values, rotations=own.rotations + slopes)
         record = {
             "method": "timoshenko_element",
             "elements": len(nodes) - 1,

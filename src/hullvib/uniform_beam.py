@@ -23,6 +23,9 @@ from hullvib.errors import ArgumentError
 
 Array = NDArray[np.float64]
 
+_FEW = 30  # points, fewer than any rule or grid has
+_REMEMBERED = 20_000  # values of one derivative at one set of points
+
 
 @lru_cache(maxsize=64)
 def frequency_parameters(count: int) -> Array:
@@ -49,6 +52,18 @@ def uniform_modes(x_over_length: ArrayLike, count: int, derivatives: Sequence[in
         raise ArgumentError(f"x_over_length has {x.ndim} dimensions; give one.")
     if any(order not in (0, 1, 2, 3) for order in derivatives):
         raise ArgumentError(f"derivatives of order {list(derivatives)} were asked; 0, 1, 2 and 3 exist.")
+    # a grid or a rule is asked for again by the next variant of a girder, a few points in search of a zero are not
+    if len(x) > _FEW and count * len(x) <= _REMEMBERED:
+        return _remembered_modes(x.tobytes(), count, tuple(derivatives)).copy()
+    return _evaluated_modes(x, count, derivatives)
+
+
+@lru_cache(maxsize=32)
+def _remembered_modes(x: bytes, count: int, derivatives: tuple[int, ...]) -> Array:
+    return _evaluated_modes(np.frombuffer(x), count, derivatives)
+
+
+def _evaluated_modes(x: Array, count: int, derivatives: Sequence[int]) -> Array:
     g = frequency_parameters(count)
     out = np.empty((len(derivatives), count, len(x)))
     for first, symmetric in ((0, True), (1, False)):

@@ -3,7 +3,16 @@
 import numpy as np
 import pytest
 
-from hullvib import FiniteElements, Girder, Ritz, StodolaRitz, ritz_convergence, solve
+from hullvib import (
+    FiniteElements,
+    Girder,
+    Ritz,
+    SolutionError,
+    StodolaRitz,
+    TimoshenkoElements,
+    ritz_convergence,
+    solve,
+)
 
 G1_TO_3 = np.array([22.373285448061323923, 61.672822867920245259, 120.90339172712377951])
 UNIFORM = Girder([0, 150], [6e4, 6e4], [4e13, 4e13])
@@ -92,3 +101,42 @@ def test_one_very_short_bay_does_no_harm():
     girder = Girder([0, 50, 50, 50.001, 50.001, 100], [1, 1, 5, 5, 1, 1], [2, 2, 0.5, 0.5, 2, 2])
     fine = solve(girder, StodolaRitz(12, 2), modes=3).angular_frequencies
     assert solve(girder, FiniteElements(100), modes=3).angular_frequencies == pytest.approx(fine, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("elements", "allowed"),
+    # what the docstring promises, three times over: round-off differs from one machine to the next
+    [(1000, 3e-11), (4000, 3e-9), (10000, 3e-7)],
+)
+def test_the_round_off_of_many_elements_is_taken_out(elements, allowed):
+    found = solve(UNIFORM, FiniteElements(elements), modes=3).angular_frequencies
+    assert found == pytest.approx(UNIT * G1_TO_3, rel=allowed)
+
+
+def _with_a_short_bay(share):
+    return Girder.from_polynomials([0, 0.5, 0.5 + share, 1], [[1]] * 3, [[1], [2], [3]], [[1e9]] * 3)
+
+
+@pytest.mark.parametrize("method", [FiniteElements, TimoshenkoElements])
+@pytest.mark.parametrize("elements", [10, 100, 1000])
+@pytest.mark.parametrize("share", [1e-3, 1e-4, 3e-5])
+def test_a_short_bay_between_steps_does_no_harm(method, elements, share):
+    girder = _with_a_short_bay(share)
+    exact = solve(girder, StodolaRitz(24), modes=1).angular_frequencies
+    # 10 cubic elements leave 5e-5, which falls with the fourth power; a shear rigidity of 1e9 takes 1e-7 away
+    allowed = 6e-5 * (10 / elements) ** 4 + 1e-7
+    assert solve(girder, method(elements), modes=1).angular_frequencies == pytest.approx(exact, rel=allowed)
+
+
+@pytest.mark.parametrize("method", [FiniteElements, TimoshenkoElements])
+@pytest.mark.parametrize("elements", [10, 100, 1000])
+@pytest.mark.parametrize("share", [1e-6, 1e-7])
+def test_a_bay_too_short_for_elements_is_refused(method, elements, share):
+    with pytest.raises(SolutionError, match=r"of the length; finite elements need 9e-06 at least.*take StodolaRitz"):
+        solve(_with_a_short_bay(share), method(elements), modes=1)
+
+
+def test_elements_whose_rigidities_are_too_far_apart_are_refused():
+    girder = Girder.from_polynomials([0, 0.49, 0.51, 1], [[1]] * 3, [[1], [1e-9], [1]])
+    with pytest.raises(SolutionError, match="lost in round-off"):
+        solve(girder, FiniteElements(1000), modes=3)

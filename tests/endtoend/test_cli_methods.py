@@ -80,7 +80,7 @@ def test_a_tolerance_chooses_the_functions(tmp_path, capsys):
         (solution,) = json.loads(capsys.readouterr().out)["solutions"]
         lower, upper = np.array(solution["lower_rad_s"]), np.array(solution["upper_rad_s"])
         assert ((upper - lower) / upper < float(tolerance)).all()
-        used.append(solution["functions"])
+        used.append((solution["functions"], solution["steps"]))
     assert used[0] < used[1]
     assert main(["solve", str(path), "--tolerance", "1e-6"]) == 0
     assert "tolerance 1e-06" in capsys.readouterr().out

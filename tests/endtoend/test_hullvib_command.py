@@ -4,6 +4,7 @@ import io
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -71,9 +72,18 @@ def test_json_girders_and_the_standard_input(tmp_path, capsys, monkeypatch):
     assert main(["solve", str(tmp_path / "g.json"), "--json"]) == 0
     from_file = json.loads(capsys.readouterr().out)
     assert from_file["girder"] == "with mass"
-    monkeypatch.setattr(sys, "stdin", io.StringIO((tmp_path / "g.json").read_text()))
-    assert main(["solve", "-", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out) == from_file
+    text = (tmp_path / "g.json").read_bytes()
+    # with and without the mark that some programs put before UTF-8
+    for content in (text, b"\xef\xbb\xbf" + text):
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(content)))
+        assert main(["solve", "-", "--json"]) == 0
+        assert json.loads(capsys.readouterr().out) == from_file
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"x_m,mass\xff\n")))
+    assert main(["solve", "-"]) == 1
+    assert "standard input: is not text in UTF-8" in capsys.readouterr().err
+    monkeypatch.setattr(sys, "stdin", None)
+    assert main(["solve", "-"]) == 1
+    assert "standard input: is closed" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
@@ -146,3 +156,51 @@ def test_a_short_test_beam_is_not_doubted(tmp_path, capsys):
     path.write_text("x_m,mass_kg_per_m,flexural_rigidity_N_m2\n0,5.7,175\n2.445,5.7,175\n")
     assert main(["solve", str(path)]) == 0
     assert capsys.readouterr().err == ""
+
+
+COMMAND = [sys.executable, "-c", "import sys; from hullvib.cli import main; sys.exit(main())", "solve"]
+
+
+def test_output_that_nobody_reads_is_dropped_quietly(file):
+    process = subprocess.Popen([*COMMAND, file, "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    process.stdout.close()
+    errors = process.stderr.read()
+    process.stderr.close()
+    assert (process.wait(60), errors) == (0, "")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full here")
+def test_output_that_cannot_be_written_is_one_line_and_exit_code_1(file):
+    with open("/dev/full", "w") as full:
+        done = subprocess.run([*COMMAND, file], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
+    assert done.returncode == 1
+    assert done.stderr == "hullvib: the standard output cannot be written (No space left on device).\n"
+
+
+def test_a_closed_output_is_one_line_and_exit_code_1(file, capsys, monkeypatch):
+    monkeypatch.setattr(sys, "stdout", None)
+    assert main(["solve", file]) == 1
+    assert capsys.readouterr().err == (
+        "hullvib: the standard output is closed; there is nowhere to write the frequencies.\n"
+    )
+
+
+def test_an_interrupt_is_exit_code_130(capsys, monkeypatch):
+    class Interrupted(io.BytesIO):
+        def read(self, size=-1):
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(Interrupted()))
+    assert main(["solve", "-"]) == 130
+    assert capsys.readouterr().err == "hullvib: interrupted\n"
+
+
+@pytest.mark.parametrize("values", ["1e-300,1e300", "1e200,1e-200"])
+def test_a_girder_whose_figures_overflow_is_refused_and_nothing_called_proven(tmp_path, capsys, values):
+    table = tmp_path / "g.csv"
+    table.write_text(f"x_m,mass_kg_per_m,flexural_rigidity_N_m2\n0,{values}\n9,{values}\n")
+    assert main(["solve", str(table)]) == 1
+    out, error = capsys.readouterr()
+    assert out == ""
+    assert error.count("\n") == 1
+    assert "too large or too small" in error

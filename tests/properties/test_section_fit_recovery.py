@@ -29,10 +29,11 @@ def test_curve_is_recovered_from_an_uneven_noisy_trace(a: float, b: float, p: fl
     traced = true[kept] + rng.normal(0.0, noise, (len(kept), 2))
     fit = fit_super_ellipse(traced)
     # The points miss by about one sigma. The curve, of five parameters (the top is one point's height) from a hundred
-    # points, lies well within it, but where the last point's own error lifts or lowers the whole of it.
-    assert fit.rms_m < 2 * noise
-    assert np.sqrt(np.mean(distance(fit.points(400), true) ** 2)) < 1.5 * noise
-    assert np.sqrt(np.mean(distance(true, fit.points(800)) ** 2)) < 1.5 * noise
+    # points, lies within it, but the last point's own error lifts or lowers the whole of it.
+    limit = 1.5 * noise + float(np.abs(traced[-1] - true[kept[-1]]).max())
+    assert fit.rms_m < noise + limit
+    assert np.sqrt(np.mean(distance(fit.points(400), true) ** 2)) < limit
+    assert np.sqrt(np.mean(distance(true, fit.points(800)) ** 2)) < limit
 
 
 @pytest.mark.parametrize("p", [0.4, 0.7, 1.0, 2.0, 6.0, 30.0])

@@ -91,3 +91,45 @@ def test_the_proof_is_stated():
     assert "Lehmann-Goerisch with 3 functions" in found.proof
     assert EXACT[2] < found.rho < EXACT[3]
     assert found.relative_width == pytest.approx((found.upper - found.lower) / found.upper)
+
+
+# bounds of 64-bit sums are a thousandfold narrower; elsewhere a long double may be a double
+EXTENDED = np.finfo(np.longdouble).eps < 1e-18
+
+
+@pytest.mark.skipif(not EXTENDED, reason="no extended precision on this machine")
+def test_brackets_of_a_uniform_beam_are_of_thirteen_digits():
+    found = bracket(UNIFORM, modes=5)
+    # cos g cosh g = 1 to 20 digits: Blevins's table, continued by Newton's method
+    assert found.lower[0] < 22.373285448061268 * (1 + 2e-15)
+    assert found.upper[0] > 22.373285448061268 * (1 - 2e-15)
+    # five functions: what a small eigenproblem loses, 160 eps, and of extended sums 1e-16 of a few hundred terms
+    assert found.relative_width[0] < 1e-11
+    assert (found.relative_width < 1e-9).all()
+
+
+@pytest.mark.skipif(not EXTENDED, reason="no extended precision on this machine")
+def test_a_mass_snapped_to_a_breakpoint_is_bounded_where_it_stands():
+    # within 1e-12 L of a breakpoint the solver moves it there, which costs mode 1 some 2e-12: the bounds do not follow
+    def bounded(place):
+        masses = [PointMass(place, 1)]
+        return bracket(Girder([0, 0.4, 0.4, 1], [1] * 4, [1, 1, 1e-3, 1e-3], point_masses=masses), 2)
+
+    aft, on, fore = (bounded(0.4 + step) for step in (-9e-13, 0.0, 9e-13))
+    assert on.upper == pytest.approx(fore.upper, rel=1e-9)
+    assert (aft.upper - on.upper)[0] * (fore.upper - on.upper)[0] < 0.0
+    assert abs(fore.upper[0] - aft.upper[0]) > 1e-12 * on.upper[0]
+
+
+def test_modes_that_use_up_their_functions_are_bounded_with_more():
+    modes = solve(UNIFORM, StodolaRitz(5), modes=5)
+    found = bracket(modes)
+    assert len(found.upper) == 5
+    assert (found.lower[:4] <= EXACT**0.5 * (1 + 1e-13)).all()
+    assert (found.upper[:4] >= EXACT**0.5 * (1 - 1e-13)).all()
+
+
+def test_a_bay_too_short_for_the_count_is_named():
+    girder = Girder.from_polynomials([0, 100, 100 + 4e-7, 200], [[1], [50], [1]], [[1], [1e-3], [1]])
+    with pytest.raises(NotProven, match=r"bay of 4e-07 m at x = 100 m"):
+        bracket(girder, modes=3)

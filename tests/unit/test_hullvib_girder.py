@@ -181,3 +181,15 @@ def test_mismatched_pieces_and_lengths_are_refused():
         Girder.from_functions(1.0, lambda x: math.nan, lambda x: 1.0)
     with pytest.raises(GirderError, match="outside the girder"):
         Girder([0, 1], [1, 1], [1, 1]).mass_per_length(1.5)
+
+
+def test_a_girder_cut_anew_keeps_the_residual_of_its_fit():
+    girder = Girder.from_functions(10, lambda x: 1 + (x > 3.3), lambda x: 1)
+    assert girder.residual > 0.1  # a jump that is not named
+    assert girder.refined([1.0, 2.0, 7.0]).residual == girder.residual
+
+
+@pytest.mark.parametrize("value", [10**400, "heavy", None])
+def test_a_point_mass_that_is_no_number_is_refused(value):
+    with pytest.raises(GirderError, match="mass_kg is"):
+        PointMass(0.0, value)

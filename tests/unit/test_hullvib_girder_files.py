@@ -115,3 +115,29 @@ def test_files_that_cannot_be_read_or_written(tmp_path):
     with pytest.raises(GirderFileError, match="curved"):
         write_girder(Girder.from_polynomials([0, 1], [[1, 0, 1]], [[1]]), tmp_path / "g.csv")
     assert [path.name for path in tmp_path.iterdir()] == ["binary.csv"]
+
+
+@pytest.mark.parametrize(("sign", "name"), [(";", "semicolons"), ("\t", "tabs")])
+def test_other_separators_are_named(sign, name):
+    with pytest.raises(GirderFileError, match=f"line 1: the columns are separated by {name}; separate them by commas"):
+        parse_girder(HEADER.replace(",", sign) + sign.join("012") + "\n")
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ('{"breaks_m": ' + "[" * 100_000, "nested too deeply"),
+        ('{"breaks_m": [0, 1' + "0" * 5000 + "]}", "thousands of digits"),
+        (f'{{"breaks_m": [0, 1{"0" * 400}], "mass_kg_per_m": [[1]], "flexural_rigidity_N_m2": [[1]]}}', "x is not"),
+        (f'{{"breaks_m": [0, 1], "mass_kg_per_m": [[1{"0" * 400}]], "flexural_rigidity_N_m2": [[1]]}}', "mass per len"),
+        (
+            '{"breaks_m": [0, 1], "mass_kg_per_m": [[1]], "flexural_rigidity_N_m2": [[1]], "point_masses": '
+            f'[{{"x_m": 0, "mass_kg": 1{"0" * 400}}}]}}',
+            "mass_kg is 1000",
+        ),
+    ],
+    ids=["deep", "thousands", "x", "mass", "point"],
+)
+def test_json_beyond_what_numbers_hold_is_refused(text, message):
+    with pytest.raises(GirderFileError, match=message):
+        parse_girder(text)

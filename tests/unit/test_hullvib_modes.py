@@ -1,9 +1,22 @@
 """The result object: normalisation, sign, nodes, modal mass; and the refusals of the methods."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from hullvib import ArgumentError, FiniteElements, Girder, PointMass, Ritz, SolutionError, solve
+from hullvib import (
+    ArgumentError,
+    FiniteElements,
+    Girder,
+    PointMass,
+    Ritz,
+    SolutionError,
+    StodolaRitz,
+    TimoshenkoElements,
+    TimoshenkoRitz,
+    solve,
+)
 
 GIRDER = Girder(
     [0, 20, 20, 70, 100],
@@ -155,3 +168,38 @@ def test_senseless_arguments_are_refused():
         modes.shape([101.0])
     with pytest.raises(ArgumentError, match="not known"):
         modes.normalised("rms")
+
+
+@pytest.mark.parametrize("method", [Ritz, StodolaRitz, TimoshenkoRitz])
+@pytest.mark.parametrize("functions", [12.5, 12.0, "12", None, True, 0, 401])
+def test_a_number_of_functions_that_is_not_whole_is_refused(method, functions):
+    with pytest.raises(ArgumentError, match="functions is"):
+        method(functions=functions)
+
+
+@pytest.mark.parametrize("method", [FiniteElements, TimoshenkoElements])
+@pytest.mark.parametrize("elements", [12.5, "12", True, 0, 10001])
+def test_a_number_of_elements_that_is_not_whole_is_refused(method, elements):
+    with pytest.raises(ArgumentError, match="elements is"):
+        method(elements=elements)
+
+
+def test_numpys_whole_numbers_are_whole_and_half_a_mode_is_none():
+    assert len(solve(GIRDER, Ritz(np.int64(8)), modes=np.int32(2)).angular_frequencies) == 2
+    with pytest.raises(ArgumentError, match=r"2\.5 modes"):
+        solve(GIRDER, modes=2.5)
+
+
+def test_the_arrays_of_a_result_cannot_be_written_to():
+    modes = solve(GIRDER, modes=2)
+    for array in (modes.angular_frequencies, modes.modal_mass, modes.scale):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 1.0
+
+
+@pytest.mark.parametrize("key", ["angular_frequencies", "modal_mass", "scale"])
+@pytest.mark.parametrize("value", [0.0, np.nan, np.inf])
+def test_a_result_that_is_no_number_is_refused(key, value):
+    modes = solve(GIRDER, modes=2)
+    with pytest.raises(SolutionError, match="too large or too"):
+        replace(modes, **{key: np.array([1.0, value])})

@@ -88,3 +88,34 @@ def test_refusals():
         solve_many(stack(1), Ritz(rigid_body=False))
     with pytest.raises(SolutionError, match="no mass at all"):
         solve_many(GirderStack([0, 1], np.zeros((1, 1, 2)), np.ones((1, 1, 2))))
+
+
+def test_a_stack_keeps_frozen_copies_and_needs_a_girder():
+    mass, rigidity = np.ones((2, 1, 2)), np.ones((2, 1, 2))
+    stack = GirderStack(np.array([0.0, 1.0]), mass, rigidity, [0.5], [[1.0], [2.0]])
+    mass[:] = 7.0
+    assert (stack.mass == 1.0).all()
+    assert rigidity.flags.writeable
+    for array in (stack.breaks, stack.mass, stack.rigidity, stack.point_x, stack.point_mass):
+        with pytest.raises(ValueError, match="read-only"):
+            array[...] = 0.0
+    for empty in (np.ones((0, 1, 2)), 1.0):
+        with pytest.raises(GirderError, match="at least one girder"):
+            GirderStack(np.array([0.0, 1.0]), empty, empty)
+    with pytest.raises(GirderError, match="mass is not an array of numbers"):
+        GirderStack([0.0, 1.0], "heavy", rigidity)
+    with pytest.raises(GirderError, match="one dimension"):
+        GirderStack([0.0, 1.0], mass, rigidity, [[0.5]])
+
+
+def test_many_modes_are_whole_finite_and_frozen():
+    stack = GirderStack([0.0, 1.0], np.ones((2, 1, 2)), np.ones((2, 1, 2)))
+    found = solve_many(stack, modes=2)
+    with pytest.raises(ValueError, match="read-only"):
+        found.angular_frequencies[0] = 1.0
+    with pytest.raises(ArgumentError, match=r"2\.5 modes"):
+        solve_many(stack, modes=2.5)
+    with pytest.raises(SolutionError, match="girder 1 are too large or too small"):
+        solve_many(
+            GirderStack([0.0, 1.0], np.array([[[1.0, 1.0]], [[1e200, 1e200]]]), [[[1.0, 1.0]], [[1e-200, 1e-200]]])
+        )

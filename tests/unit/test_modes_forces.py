@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hullvib import ArgumentError, FiniteElements, Girder, PointMass, Ritz, StodolaRitz, solve
+from hullvib import ArgumentError, FiniteElements, Girder, PointMass, Ritz, StodolaRitz, TimoshenkoElements, solve
 
 STEPPED = Girder(
     [0, 20, 20, 70, 100],
@@ -109,3 +109,23 @@ def test_positions_outside_are_refused():
         with pytest.raises(ArgumentError, match="within 0"):
             call([-1.0])
     assert modes.shear_strain([3.0, 40.0]) == pytest.approx(np.zeros((1, 2)), abs=1e-15)
+
+
+def test_signs_of_moment_shear_force_and_shear_strain():
+    girder = Girder([0, 60, 100], [4e4, 6e4, 3e4], [1e13, 3e13, 1e13], shear_rigidity=[2e10, 3e10, 1e10])
+    plain = solve(girder, modes=1)
+    x = np.linspace(5, 95, 19)
+    # mode 1 is up at the ends and down amidships: concave upwards, sagging, which counts positive
+    ends, middle = plain.shape([0.0, 100.0])[0], plain.shape([50.0])[0]
+    assert (ends > 0).all()
+    assert (middle < 0).all()
+    assert (plain.moment(x) > 0).all()
+    # its inertia forces act upwards where it is up, so that V is positive from the aft end on
+    assert plain.shear([5.0])[0, 0] > 0
+    assert plain.shear([95.0])[0, 0] < 0
+    flexible = solve(girder, TimoshenkoElements(400), modes=2)
+    # the strain of an element is linear within it and off by (h / half wave)^2, some 1e-4
+    moment = girder.flexural_rigidity(x) * flexible.bending_curvature(x)
+    assert flexible.moment(x) == pytest.approx(moment, abs=1e-3 * np.abs(moment).max())
+    strain = -flexible.shear(x) / girder.shear_rigidity(x)
+    assert flexible.shear_strain(x) == pytest.approx(strain, abs=1e-3 * np.abs(strain).max())

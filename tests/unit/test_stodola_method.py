@@ -180,3 +180,57 @@ def test_shear_flexibility():
     # differ by the root of the relative error of its eigenvalue, 1e-12
     strain = -ours.shear(x) / girder.shear_rigidity(x)
     assert ours.slope(x) - ours.rotation(x) == pytest.approx(strain, abs=1e-5 * np.abs(ours.slope(x)).max())
+
+
+def test_no_mode_is_made_of_round_off():
+    # three masses on a massless girder: two rigid motions, one elastic mode
+    masses = [PointMass(0, 1), PointMass(0.5, 1), PointMass(1, 1)]
+    girder = Girder([0, 1], [0, 0], [1, 1], point_masses=masses)
+    # 2 m of the masses against one in the middle: k = 48, mass 1 x 2 / 3, hence omega^2 = 48 x 3 / 2
+    assert solve(girder, modes=1).angular_frequencies == pytest.approx(72.0**0.5, rel=1e-12)
+    with pytest.raises(SolutionError, match="only 1 elastic modes"):
+        solve(girder, modes=2)
+
+
+@pytest.mark.parametrize("lowest", [1e-6, 1e-8, 1e-9, 1e-10])
+def test_a_rigidity_that_dips_inside(lowest):
+    girder = Girder([0, 0.5, 0.5, 1], [1, 1, 1, 1], [1, lowest, 1, 1])
+    # the same line, cut by halves towards the dip, so that every piece is gentle
+    cuts = 0.5 - 0.5 * 2.0 ** -np.arange(1, 28)
+    x = np.concatenate([[0], cuts, [0.5, 0.5, 1]])
+    rigidity = np.concatenate([[1], 1 - (1 - lowest) * cuts / 0.5, [lowest, 1, 1]])
+    cut = solve(Girder(x, np.ones(len(x)), rigidity), modes=3).angular_frequencies
+    # the table's own values near the dip are rounded to 1e-16 of 1, that is 1e-6 of 1e-10
+    assert solve(girder, modes=3).angular_frequencies == pytest.approx(cut, rel=max(1e-18 / lowest, 1e-9))
+
+
+@pytest.mark.parametrize("least", [1e-2, 1e-3, 1e-4, 1e-6])
+def test_negative_coefficients_of_a_positive_rigidity(least):
+    # EI = least + (2 x - 1)^2, whose middle Bernstein coefficient is negative
+    girder = Girder.from_polynomials([0, 1], [[1]], [[1 + least, -4, 4]])
+    halves = 2.0 ** -np.arange(2, 14)
+    cut = girder.refined(np.concatenate([[0.5], 0.5 - halves, 0.5 + halves]))
+    assert solve(girder, modes=3).angular_frequencies == pytest.approx(
+        solve(cut, modes=3).angular_frequencies, rel=1e-9
+    )
+
+
+def test_waves_shorter_than_those_of_the_trial_functions():
+    girder = Girder.from_polynomials([0, 0.97, 1], [[1], [1e4]], [[1], [1e-5]])
+    cut = girder.refined(np.linspace(0.97, 1, 9)[1:-1])
+    best = solve(cut, StodolaRitz(48), modes=3).angular_frequencies
+    for functions in (12, 24, 36):
+        errors = solve(girder, StodolaRitz(functions), modes=3).angular_frequencies / best - 1
+        # upper bounds, good to what a fourfold larger set leaves in the reference
+        assert (errors > -1e-9).all()
+    assert (errors < 1e-6).all()
+
+
+def test_a_tolerance_may_take_more_steps():
+    # a pair of soft ends: three steps on a few functions are cheaper than many functions
+    girder = Girder([0, 10, 90, 100], [1e5] * 4, [6e9, 6e12, 6e12, 6e9])
+    found = solve(girder, modes=3, tolerance=1e-6)
+    assert found.method["steps"] in (2, 3)
+    assert found.method["relative_width"] <= 1e-6
+    with pytest.raises(ArgumentError, match="ask for 1 to 93"):
+        solve(girder, modes=94, tolerance=1e-6)

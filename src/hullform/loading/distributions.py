@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.errors import LoadingError
-from hullvib.girder import Girder, PointMass
+from hullvib.girder import Girder
+from hullvib.point_masses import PointMass
 
 Array = NDArray[np.float64]
 
