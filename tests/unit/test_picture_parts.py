@@ -15,7 +15,6 @@ from hullform.picture.flow import find_paths
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import ink_of
 from hullform.picture.lines import find_lines, subtract_lines
-from hullform.picture.naming import assign_stations, mark_distances
 from hullform.picture.ridges import find_peaks, find_tracklets
 from hullform.ship import CalibrationGiven
 
@@ -150,17 +149,3 @@ def test_flow_keeps_two_curves_apart_that_touch() -> None:
         row = np.concatenate([tracklets[i].row for i in path.tracklets]) - middle
         assert np.all(row > -0.8) or np.all(row < 0.8)  # neither crosses over
         assert abs(row[0]) > 15 or len(row) > 250
-
-
-def test_fewer_curves_than_names_share_the_outermost() -> None:
-    assert assign_stations(5, 3) == [0, 1, 2, 2, 2]
-    assert assign_stations(4, 4) == [0, 1, 2, 3]
-
-
-def test_marks_decide_which_curve_has_several_names() -> None:
-    curves = [np.array([[x, 0.0], [x, 300.0]]) for x in (100.0, 200.0, 300.0)]
-    marks = [(1, 100.0, 50.0), (2, 202.0, 80.0)]
-    distances = mark_distances(curves, marks, 4)
-    assert distances is not None
-    assert assign_stations(4, 3, distances) == [0, 0, 1, 2]
-    assert mark_distances(curves, [], 4) is None

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from hullform.errors import PictureError
 from hullform.picture.half import HalfReading
 from hullform.picture.ink import Ink
+from hullform.picture.naming import NO_CURVE
 
 Array = NDArray[np.float64]
 
@@ -53,13 +54,14 @@ def doubts_of_counts(halves: Sequence[NamedHalf]) -> list[str]:
     doubts = []
     for half in halves:
         name, listed, more = half.reading.half, len(half.inner_first), half.reading.unlisted
+        seen = len(half.reading.curves)
         if more:
             missing = "one station is" if more == 1 else f"{more} stations are"
             doubts.append(
-                f"{name} half: {half.reading.seen} curves seen but {listed} stations listed; {missing} missing from "
+                f"{name} half: {seen} curves seen but {listed} stations listed; {missing} missing from "
                 f"{name}_stations_m"
             )
-    (a, b), (listed_a, listed_b) = (h.reading.seen for h in halves), (len(h.inner_first) for h in halves)
+    (a, b), (listed_a, listed_b) = (len(h.reading.curves) for h in halves), (len(h.inner_first) for h in halves)
     if abs(a - listed_b) + abs(b - listed_a) < abs(a - listed_a) + abs(b - listed_b):
         doubts.append(
             f"aft_side: the half taken for aft shows {a} curves for {listed_a} stations, the other {b} for {listed_b}; "
@@ -73,7 +75,7 @@ def doubts_of_parallel_body(halves: Sequence[NamedHalf], length_between_perpendi
     doubts = []
     sharing = [half for half in halves if half.shared]
     for half in sharing:
-        name, curves, listed = half.reading.half, len(set(half.assigned)), len(half.inner_first)
+        name, curves, listed = half.reading.half, len(set(half.assigned) - {NO_CURVE}), len(half.inner_first)
         words = ", ".join(f"{x:g}" for x in half.shared)
         reach = float(half.reading.curves[-1][:, 0].max()) / half.reading.frame.half_breadth_px
         if listed - curves > MOST_UNDRAWN * listed:

@@ -26,13 +26,23 @@ NEAR_KEEL = 0.012  # of B/2: a start within this of the keel point is the keel p
 NEAR_DECK = 0.09  # of B/2: a top within this of the sheer line belongs on it
 AT_DECK = 0.03  # of B/2: ink that ends so near the deck goes to the deck
 AT_SIDE = 0.965  # of B/2
+LEVEL = 0.35  # dz/ds below which a curve runs along a deck rather than up to it
+STEEP_BEFORE = 0.6  # dz/ds of a curve that has met a deck edge
+LONGEST_TAIL = 0.12  # of B/2: of a deck edge that a curve was led along
+AT_LINE = 0.012  # of B/2: a curve that ends so near the line of B/2 has met it, at whatever angle
+STEEP_ENOUGH = 0.7  # dz/dy of a curve that is about to join the line of B/2
 OFF_SHEER_PX = 2.0  # where the sheer line is known no better, the end of a curve's own ink says where it is
 LONGEST_STROKE = 0.06  # of B/2: how far ahead of a trace its ink is followed
 LARGEST_BREAK_PX = 4  # in a stroke, where a line of the drawing was taken off
 
 
 def finish(
-    trace: Trace, frame: DiagonalFrame, ink: Ink, sheer: SheerLine | None, depth_px: float | None
+    trace: Trace,
+    frame: DiagonalFrame,
+    ink: Ink,
+    sheer: SheerLine | None,
+    depth_px: float | None,
+    side_top_px: float | None = None,
 ) -> tuple[Array, Array]:
     """(y, z) of the whole curve in px of the drawing, from keel to deck.
 
@@ -42,12 +52,18 @@ def finish(
         ink: (rows, columns) of the frame.
         sheer: of its half, or None.
         depth_px: height of a level deck line, or None where none is drawn.
+        side_top_px: height to which the line of B/2 is drawn, for curves that join it, or None.
     """
     column, row = _visible_part(trace, frame)
     y, z = frame.to_drawing(column, row)
     size = frame.half_breadth_px
     y, z = _lower_end(y, z, size)
-    return _upper_end(y, z, size, *_deck_over(trace, frame, ink, sheer, depth_px))
+    y, z = _without_level_tail(y, z, size)
+    y, z = _upper_end(y, z, size, *_deck_over(trace, frame, ink, sheer, depth_px), side_top_px)
+    if side_top_px is None:
+        return y, z
+    deck = depth_px if sheer is None else float(sheer.at(size))
+    return _up_the_side(y, z, size, min(side_top_px, np.inf if deck is None else deck))
 
 
 def _visible_part(trace: Trace, frame: DiagonalFrame) -> tuple[Array, Array]:
@@ -171,7 +187,22 @@ def _end_of_ink(trace: Trace, frame: DiagonalFrame, ink: Ink) -> tuple[float, fl
     return float(y), float(z)
 
 
-def _upper_end(y: Array, z: Array, size: float, deck: Deck, reaches_deck: bool) -> tuple[Array, Array]:
+def _without_level_tail(y: Array, z: Array, size: float) -> tuple[Array, Array]:
+    """Cut off what runs level or down at the very end of a curve that rose before: a piece of a deck edge."""
+    step = np.maximum(np.hypot(np.diff(y), np.diff(z)), 1e-9)
+    left = np.cumsum(step[::-1])[::-1]  # of the curve, beyond each step
+    rising = np.diff(z) / step > LEVEL
+    last = int(np.flatnonzero(rising)[-1]) + 1 if rising.any() else 0
+    if last >= len(left) or left[last] > LONGEST_TAIL * size or left[0] - left[last] < LONGEST_TAIL * size:
+        return y, z
+    before = (left > left[last]) & (left < left[last] + LONGEST_TAIL * size)
+    steep = float(np.average(np.diff(z)[before] / step[before], weights=step[before]))
+    return (y[: last + 1], z[: last + 1]) if steep > STEEP_BEFORE else (y, z)
+
+
+def _upper_end(
+    y: Array, z: Array, size: float, deck: Deck, reaches_deck: bool, side_top: float | None
+) -> tuple[Array, Array]:
     # what runs on along the sheer line or above it is not the station
     above = np.flatnonzero(z >= deck(y) - 1.0)
     above = above[above > 0.5 * len(z)]
@@ -197,11 +228,31 @@ def _upper_end(y: Array, z: Array, size: float, deck: Deck, reaches_deck: bool) 
         end = float(np.interp(top, z[first - 1 : first + 1], y[first - 1 : first + 1]))
         return np.append(y[:first], end), np.append(z[:first], top)
     gap = top - z[-1]
-    if at_side:
-        return np.append(y, y[-1]), np.append(z, top)
+    if at_side and side_top is not None:
+        return np.append(y, y[-1]), np.append(z, max(min(top, side_top), z[-1]))
     if gap <= NEAR_DECK * size and rise > 0:
         end = y[-1]
         for _ in range(5):  # the deck's height depends on where the curve meets it
             end = y[-1] + lean / rise * (float(deck(end)) - z[-1])
         return np.append(y, end), np.append(z, float(deck(end)))
     return y, z
+
+
+def _up_the_side(y: Array, z: Array, size: float, top: float) -> tuple[Array, Array]:
+    """A curve that ends rising close to the line of B/2 joins it and goes up to where that line is drawn."""
+    along = np.flatnonzero((y >= (1 - AT_LINE / 2) * size) & (z <= top))
+    if z[-1] > top and along.size and z[along[-1]] > top - NEAR_DECK * size / 2:
+        return np.append(y[: along[-1] + 1], y[along[-1]]), np.append(z[: along[-1] + 1], top)
+    if y[-1] < AT_SIDE * size or top - z[-1] <= NEAR_DECK * size:
+        return y, z
+    arc = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
+    part = arc >= arc[-1] - STRETCH * size
+    rise, lean = z[-1] - z[part][0], y[-1] - y[part][0]
+    if rise <= STEEP_ENOUGH * abs(lean) and y[-1] < (1 - AT_LINE) * size:
+        return y, z
+    if y[-1] < size:  # it turns into the line: an arc needs twice the height of the straight way
+        join = min(z[-1] + 2 * (size - y[-1]) * max(rise, 0.0) / max(lean, 1e-6), z[-1] + FARTHEST * size, top)
+        share = np.linspace(0.0, 1.0, 8)[1:-1]
+        y = np.concatenate([y, y[-1] + (size - y[-1]) * share * (2 - share), [size]])
+        z = np.concatenate([z, z[-1] + (join - z[-1]) * share, [join]])
+    return np.append(y, y[-1]), np.append(z, top)

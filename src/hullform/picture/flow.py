@@ -10,12 +10,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linprog
 from scipy.sparse import coo_matrix
 
+from hullform.picture.ends import STEEPEST, Ends, entry_cost, exit_cost
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
 from hullform.picture.lines import Mask
@@ -29,40 +29,10 @@ LONGEST_GAP = 0.09  # of B/2
 COST_OF_CURVE = 45.0  # what a curve must gather: half of the shortest station that is drawn, twice a label's stroke
 DEAREST_LINK = 120.0
 COST_OF_KNUCKLE = 25.0
-REACH_OF_KEEL_PX = 12.0  # an end so near the centre line or base line is one on it
-DEAREST_ENTRY = 1500.0
-DEAREST_EXIT = 500.0
-COST_OF_END_ON_PAPER = 110.0  # ends below the deck where no ink goes on
-COST_OF_END_ON_INK = 1200.0  # more, for ink ahead
-COST_AT_SIDE = 12.0  # ends in the line of B/2, which goes on to the deck
 MARGIN_OF_ORDER = 0.02  # of B/2: starts nearer than this to an axis lie on it
 REWARD_OF_MARK = 1500.0  # for the tracklet under a user's mark
 MOST_UNLISTED = 8  # curves beyond the listed stations that are looked for
 LEAST_GAIN_UNLISTED = 20.0  # of each of them, px of ink: half of the shortest station that is drawn
-
-
-@dataclass(frozen=True, eq=False)
-class Ends:
-    """Position, slope at one end of each tracklet."""
-
-    column: Array
-    row: Array
-    slope: Array
-
-    @classmethod
-    def of(cls, tracklets: list[Tracklet], last: bool) -> Ends:
-        """The last or the first ends, fitted by a parabola over up to 22 px."""
-        fits = [_end_fit(t.column, t.row, last) for t in tracklets]
-        column = np.array([float(t.column[-1 if last else 0]) for t in tracklets])
-        return cls(column, np.array([f[0] for f in fits]), np.array([f[1] for f in fits]))
-
-
-def _end_fit(column: Indices, row: Array, last: bool) -> tuple[float, float]:
-    size = min(len(column), 22)
-    part = slice(-size, None) if last else slice(None, size)
-    x = (column[part] - column[-1 if last else 0]).astype(np.float64)
-    fit = np.polyfit(x, row[part], 1 if size < 14 else 2)
-    return float(fit[-1]), float(np.clip(fit[-2], -1.15, 1.15))
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,8 +52,9 @@ def find_paths(
     top_px: Array,
     most: int,
     marks: tuple[tuple[float, float], ...] = (),
+    side_top_px: float | None = None,
 ) -> tuple[list[Path], int]:
-    """The curves of one half, at most `most`, each worth more than it costs, and how many more there seem to be.
+    """The curves of one half, each worth more than it costs, and how many of them are more than `most`.
 
     Args:
         tracklets: of the half.
@@ -93,17 +64,18 @@ def find_paths(
         top_px: (len(tracklets),) height of the deck edge over the last end of each, px of the drawing.
         most: number of stations that the half may show.
         marks: (column, row) of points that a user put on curves.
+        side_top_px: height to which the line of B/2 is drawn by stations, or None where none runs along it.
 
     Returns:
-        the curves, and the number of further ones that a flow of more units finds and that gain as a station does.
+        the curves, and by how many they are more than listed; further ones must gain as a station does.
     """
     if not tracklets:
         return [], 0
     scale = frame.half_breadth_px / REFERENCE_PX
     first, last = Ends.of(tracklets, last=False), Ends.of(tracklets, last=True)
     source, target, link_cost = _links(tracklets, first, last, mask, frame, scale)
-    entry = _entry_cost(first, frame, scale) + COST_OF_CURVE * scale
-    leave = _exit_cost(last, ink, frame, top_px, scale)
+    entry = entry_cost(first, mask, frame, scale) + COST_OF_CURVE * scale
+    leave = exit_cost(last, ink, frame, top_px, side_top_px, scale)
     length = np.array([len(t.column) for t in tracklets], dtype=np.float64)
     strength = np.array([float(t.strength.mean()) for t in tracklets])
     reward = -length * np.minimum(1.0, strength / 0.5)
@@ -126,6 +98,7 @@ def find_paths(
             if further.units == before.units or before.cost - further.cost < LEAST_GAIN_UNLISTED * scale:
                 break
             unlisted, before = unlisted + 1, further
+        flow = before
     links, entries, exits = flow.links, flow.entries, flow.exits
     walks = _decompose(tracklets, first, last, frame, source, target, links, entries, exits)
     ends = [float(entry[walk[0]] - COST_OF_CURVE * scale + leave[walk[-1]]) / scale for walk in walks]
@@ -192,37 +165,12 @@ def _links(
     turn = to_slope - from_slope
     with np.errstate(divide="ignore", invalid="ignore"):
         meet = (to_row - to_slope * distance - from_row) / -turn
-    knuckle = (turn > 0.35) & (span <= 0.03 * size) & (meet >= -4) & (meet <= span + 4)
+    knuckle = (np.abs(turn) > 0.35) & (span <= 0.03 * size) & (meet >= -4) & (meet <= span + 4)
     cost = np.where(knuckle, np.minimum(cost, COST_OF_KNUCKLE * scale + span), cost)
-    steep = np.abs(to_row - from_row) > 1.25 * span + 4
-    broken = (certain >= 1.0) & (bend > 0.9) & ~((span <= 0.03 * size) & (turn > 0))
+    steep = np.abs(to_row - from_row) > (STEEPEST + 0.1) * span + 4
+    broken = (certain >= 1.0) & (bend > 0.9) & ~knuckle
     good = (cost < DEAREST_LINK) & ~steep & ~broken
     return source[good].astype(np.int64), target[good].astype(np.int64), cost[good]
-
-
-def _entry_cost(first: Ends, frame: DiagonalFrame, scale: float) -> Array:
-    """Little at the centre line and the base line, then by the distance from them."""
-    y, z = frame.to_drawing(first.column, first.row)
-    away = np.minimum(np.abs(y), np.abs(z))
-    reach = REACH_OF_KEEL_PX * scale
-    return np.where(away < reach, 0.3 * away, np.minimum(3 + 4 * (away - reach), DEAREST_ENTRY * scale))
-
-
-def _exit_cost(last: Ends, ink: Ink, frame: DiagonalFrame, top_px: Array, scale: float) -> Array:
-    """Nothing at the deck, little in the line of B/2, else by the distance to the deck and the ink ahead."""
-    size = frame.half_breadth_px
-    y, z = frame.to_drawing(last.column, last.row)
-    below = np.maximum(0.0, top_px - z - 0.03 * size)
-    cost = np.minimum(1.5 * below, DEAREST_EXIT * scale)
-    near = cv2.dilate(ink, np.ones((3, 3), np.uint8))
-    ahead = np.linspace(5, 0.055 * size, 26)
-    columns = np.clip(np.round(last.column[:, None] + ahead), 0, ink.shape[1] - 1).astype(np.int64)
-    rows = np.clip(np.round(last.row[:, None] + last.slope[:, None] * ahead), 0, ink.shape[0] - 1).astype(np.int64)
-    going_on = (near[rows, columns] > 0.3).mean(axis=1)
-    on_ink = COST_OF_END_ON_PAPER + COST_OF_END_ON_INK * np.clip(going_on - 0.2, 0.0, 1.0)
-    cost = np.minimum(cost, on_ink * scale)
-    at_side = (y > 0.965 * size) & (last.slope < -0.75)
-    return np.asarray(np.where(at_side, np.minimum(cost, COST_AT_SIDE * scale), cost), dtype=np.float64)
 
 
 def _solve(

@@ -16,6 +16,7 @@ from hullform.picture.ink import Ink
 from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
 from hullform.picture.ridges import find_peaks, find_tracklets, line_width, usable
 from hullform.picture.sheer import SheerLine, find_sheer
+from hullform.picture.side import top_of_side
 from hullform.picture.smoothing import Trace, smooth_traces
 
 Array = NDArray[np.float64]
@@ -24,6 +25,8 @@ SHEER_FLANK_PX = 3.5  # flat ridges so near the sheer line are the sheer line
 FLAT_SLOPE = 0.6  # db/da of a ridge within 14 degrees of level
 DECK_ZONE = 0.84  # of the depth: without a sheer line found, level ridges above it are taken for the deck
 LEVEL_SLOPE = 0.8
+NEAR_DEPTH = 0.12  # of the depth: a side drawn so high goes to the depth, by its meaning; lower, the deck is stepped
+POINT_SPACING_PX = 2.0  # along a traced curve
 HIDDEN_BY_GRID = 0.7  # share of a curve that can be seen through a close grid: more missing counts against it
 
 
@@ -35,7 +38,7 @@ class HalfReading:
         curves: (n, 2) [y, z] of each, px of the drawing, keel to deck.
         confidences: 0..1 of each.
         sheer: the deck edge, or None where none was found.
-        unlisted: number of curves that were seen beyond the stations that are listed.
+        unlisted: by how many the curves are more than the stations that are listed.
     """
 
     half: Half
@@ -46,16 +49,12 @@ class HalfReading:
     line_width_px: float
     unlisted: int = 0
 
-    @property
-    def seen(self) -> int:
-        """Number of curves that were seen, traced or not."""
-        return len(self.curves) + self.unlisted
-
 
 def read_half(
     half: Half,
     frame: DiagonalFrame,
     ink: Ink,
+    bare: Ink,
     mask: Mask,
     depth_px: float,
     deck_line: bool,
@@ -67,17 +66,20 @@ def read_half(
     Args:
         half: which.
         frame: its diagonal frame.
-        ink: the picture's, its long lines taken off; mask: where they lay.
+        ink: of the picture; bare: the same, its long lines taken off; mask: where they lay.
         depth_px: depth at side.
         deck_line: whether a level line is drawn at the depth.
         most: number of stations of the half.
         marks: (y, z) in px of the drawing of the user's marks.
     """
-    here = frame.sample(ink)
+    here = frame.sample(bare)
     hidden = frame.sample_mask(mask)
     width = line_width(here)
     hidden = _widened(hidden, width)
-    sheer = find_sheer(ink, frame, depth_px)
+    side_top = top_of_side(ink, frame, width)
+    if side_top is not None and abs(side_top / depth_px - 1) < NEAR_DEPTH:
+        side_top = depth_px
+    sheer = find_sheer(bare, frame, depth_px, side_top)
     peaks = find_peaks(here, width)
     peaks = peaks.chosen(usable(peaks, hidden, frame))
     y, z = frame.to_drawing(peaks.column.astype(np.float64), peaks.row)
@@ -98,10 +100,10 @@ def read_half(
     end_y, _ = frame.to_drawing(ends[:, 0], ends[:, 1])
     top = sheer.at(end_y) if sheer is not None else np.full(len(tracklets), depth_px)
     seeds = tuple((float(c), float(r)) for c, r in (frame.from_drawing(y, z) for y, z in marks))
-    paths, unlisted = find_paths(tracklets, here, hidden, frame, single, top, most, seeds)
+    paths, unlisted = find_paths(tracklets, here, hidden, frame, single, top, most, seeds, side_top)
     traces = smooth_traces(paths, tracklets, single, frame)
     level = depth_px if deck_line else None
-    curves = tuple(np.column_stack(finish(trace, frame, here, sheer, level)) for trace in traces)
+    curves = tuple(_evenly(np.column_stack(finish(trace, frame, here, sheer, level, side_top))) for trace in traces)
     confidences = tuple(_confidence(trace) for trace in traces)
     return HalfReading(half, frame, curves, confidences, sheer, width, unlisted)
 
@@ -119,3 +121,11 @@ def _confidence(trace: Trace) -> float:
     alone = 0.5 + 0.5 * min(1.0, trace.own / 0.5)
     seen = min(1.0, trace.visible / HIDDEN_BY_GRID)
     return float(np.clip(seen * alone * np.exp(-max(trace.end_cost, 0.0) / 200.0), 0.0, 1.0))
+
+
+def _evenly(points: Array) -> Array:
+    """The curve at even steps of arc length, its ends kept."""
+    arc = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    keep = np.concatenate([[True], np.diff(arc) > 1e-9])
+    at = np.linspace(0.0, arc[-1], max(3, round(arc[-1] / POINT_SPACING_PX) + 1))
+    return np.column_stack([np.interp(at, arc[keep], points[keep, k]) for k in (0, 1)])

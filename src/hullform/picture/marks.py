@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.picture.frame import DiagonalFrame
+from hullform.picture.naming import NO_CURVE
 from hullform.picture.reduction import Reduction
 from hullform.ship import Mark
 
@@ -92,7 +93,7 @@ def unheeded(
     doubts = []
     for mark, row in zip(marks, distances_to_curves(marks, curves), strict=True):
         nearest, got = int(np.argmin(row)), assigned[mark.station]
-        if row[got] > row[nearest] + APART * half_breadth_px:
+        if got != NO_CURVE and row[got] > row[nearest] + APART * half_breadth_px:
             doubts.append(
                 f"{_named(mark.mark)} lies on curve {nearest + 1} from the centre line, but the station got curve "
                 f"{got + 1}; check the mark and {mark.mark.half}_stations_m"

@@ -24,17 +24,15 @@ from hullform.picture.half import HalfReading, read_half
 from hullform.picture.ink import Picture, ink_of, load_grey
 from hullform.picture.lines import find_lines, subtract_lines
 from hullform.picture.marks import near_curves, place_marks, unheeded
-from hullform.picture.naming import assign_stations, mark_distances
+from hullform.picture.naming import NO_CURVE, assign_stations, half_breadths_at, mark_distances
 from hullform.picture.reduction import Reduction, reduced
 from hullform.ship import Ship
 
 Array = NDArray[np.float64]
 
 HIGHEST = 1.6  # of the depth: how high the drawing is searched above the base line
-FEWEST_CURVES = 3
-LEAST_SHARE_OF_NAMES = 0.6
+FEWEST_CURVES = 3  # of a half: fewer are no body plan
 LOW_CONFIDENCE = 0.5
-POINT_SPACING_PX = 2.0  # along a traced curve
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,10 +122,9 @@ def read_picture(ship: Ship) -> PictureReading:
             [mark for mark in source.marks if mark.half == half], inner_first, frame, size_px, reduction
         )
         reading = read_half(
-            half, frame, bare, mask, depth_px, deck_line, len(names), tuple((m.y_px, m.z_px) for m in marks)
+            half, frame, ink, bare, mask, depth_px, deck_line, len(names), tuple((m.y_px, m.z_px) for m in marks)
         )
-        few = len(reading.curves) < max(FEWEST_CURVES, LEAST_SHARE_OF_NAMES * len(names))
-        if few and len(reading.curves) < len(names):
+        if len(reading.curves) < min(FEWEST_CURVES, len(names)):
             raise PictureError(
                 f"{path}: too few curves: {len(reading.curves)} found in the {half} half, which has {len(names)} "
                 f"stations ({half}_stations_m); "
@@ -135,7 +132,12 @@ def read_picture(ship: Ship) -> PictureReading:
             )
         marks, doubts_of_places = near_curves(marks, reading.curves, frame.half_breadth_px)
         at = [(mark.station, mark.y_px, mark.z_px) for mark in marks]
-        assigned = assign_stations(len(names), len(reading.curves), mark_distances(reading.curves, at, len(names)))
+        assigned = assign_stations(
+            inner_first,
+            half_breadths_at(reading.curves, frame.half_breadth_px),
+            reading.confidences,
+            mark_distances(reading.curves, at, len(names)),
+        )
         stations += _stations(reading, inner_first, assigned, notes, doubts)
         doubts += doubts_of_marks + doubts_of_places
         doubts += unheeded(marks, reading.curves, assigned, frame.half_breadth_px)
@@ -165,10 +167,14 @@ def _stations(
     scale = reading.frame.metres_per_px
     curves = []
     for points, confidence in zip(reading.curves, reading.confidences, strict=True):
-        even = _evenly(points) * scale
-        curves.append(TracedCurve(even[:, 0], even[:, 1], confidence))
+        curves.append(TracedCurve(points[:, 0] * scale, points[:, 1] * scale, confidence))
     stations = []
     for x, number in zip(inner_first, assigned, strict=True):
+        if number == NO_CURVE:
+            doubts.append(
+                f"station {x:g} m ({reading.half} half): not found; mark a point of its curve in [[body_plan.marks]]"
+            )
+            continue
         others = tuple(sorted(o for o, n in zip(inner_first, assigned, strict=True) if n == number and o != x))
         stations.append(Station(x, reading.half, (curves[number],), shared_with_m=others))
         if curves[number].confidence < LOW_CONFIDENCE:
@@ -176,7 +182,8 @@ def _stations(
                 f"station {x:g} m ({reading.half} half): traced with confidence {curves[number].confidence:.2f}; "
                 "look at it in the overlay"
             )
-    for number in sorted(set(assigned)):
+    named = set(assigned) - {NO_CURVE}
+    for number in sorted(named):
         shared = sorted(x for x, n in zip(inner_first, assigned, strict=True) if n == number)
         if len(shared) > 1:
             words = ", ".join(f"{x:g}" for x in shared)
@@ -186,18 +193,10 @@ def _stations(
                     f"stations {words} m of the {reading.half} half share a curve that is not the outermost; "
                     "check their marks"
                 )
-    unnamed = len(curves) - len(set(assigned))
-    if unnamed:
+    unnamed = len(curves) - len(named) - reading.unlisted
+    if unnamed > 0:
         doubts.append(f"{unnamed} curves of the {reading.half} half have no station; check {reading.half}_stations_m")
-    found = f"{len(set(assigned))} curves for {len(inner_first)} stations"
+    found = f"{len(named)} curves for {len(inner_first)} stations"
     deck = "sheer line found" if reading.sheer is not None else "no sheer line beside the deck line"
     notes.append(f"{reading.half} half: {found}; {deck}")
     return stations
-
-
-def _evenly(points: Array) -> Array:
-    """The curve at even steps of arc length, its ends kept."""
-    arc = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
-    keep = np.concatenate([[True], np.diff(arc) > 1e-9])
-    at = np.linspace(0.0, arc[-1], max(3, round(arc[-1] / POINT_SPACING_PX) + 1))
-    return np.column_stack([np.interp(at, arc[keep], points[keep, k]) for k in (0, 1)])

@@ -20,7 +20,8 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 FAINTEST_RIDGE = 0.16  # ink of a peak after smoothing
-LARGEST_STEP_PX = 1.9  # across, between neighbouring columns: slope 1 and the noise of two peaks
+STEEPEST = 2.2  # db/da of a ridge that is followed: tumblehome of 20 degrees
+LARGEST_STEP_PX = 3.0  # across, between neighbouring columns: that slope and the noise of two peaks
 LARGEST_MISS_PX = 1.3  # between a peak and where its neighbour's slope points
 SHORTEST_PX = 5  # of a tracklet
 JUNCTION_PX = 3.5  # a tracklet that ends so near another one cuts it there
@@ -41,7 +42,7 @@ class Peaks:
     @property
     def width(self) -> Array:
         """Thickness of the ink across the ridge, px."""
-        return np.asarray((self.high - self.low) / np.hypot(1.0, np.clip(self.slope, -1.2, 1.2)))
+        return np.asarray((self.high - self.low) / np.hypot(1.0, np.clip(self.slope, -STEEPEST, STEEPEST)))
 
     def chosen(self, which: NDArray[np.generic]) -> Peaks:
         """A part of them, by indices or by a mask."""
@@ -141,7 +142,7 @@ def _following(peaks: Peaks) -> Indices:
     """Index of the peak on the next column that continues each peak, mutually the best; -1 where there is none."""
     span = float(peaks.row.max(initial=0.0)) + 10.0
     key = peaks.column * span + peaks.row
-    lean = np.clip(peaks.slope, -1.25, 1.25)
+    lean = np.clip(peaks.slope, -STEEPEST, STEEPEST)
 
     def nearest(step: int) -> Indices:
         aim = (peaks.column + step) * span + np.clip(peaks.row + step * lean, 0.0, span - 1.0)

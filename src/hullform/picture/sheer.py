@@ -49,13 +49,14 @@ class SheerLine:
         return float(heights.min()), float(heights.max())
 
 
-def find_sheer(ink: Ink, frame: DiagonalFrame, depth_px: float) -> SheerLine | None:
+def find_sheer(ink: Ink, frame: DiagonalFrame, depth_px: float, side_top_px: float | None = None) -> SheerLine | None:
     """The sheer line of one half, or None where none is drawn.
 
     Args:
         ink: (rows, columns) of the picture, its long straight lines taken off.
         frame: of the half.
         depth_px: depth at side.
+        side_top_px: height to which the line of B/2 is drawn, or None where no station runs along it.
     """
     y = np.arange(2.0, frame.half_breadth_px - 1.0)
     z = np.arange(LOWEST * depth_px, frame.top_px)
@@ -90,8 +91,11 @@ def find_sheer(ink: Ink, frame: DiagonalFrame, depth_px: float) -> SheerLine | N
     exact = (weights * z[near]).sum(axis=1) / np.maximum(weights.sum(axis=1), 1e-9)
     at, height_px = y[columns[seen]], exact[seen]
     steady = _long_runs(at, height_px, SHORTEST_RUN * frame.half_breadth_px)
-    # amidships the deck edge lies at half the breadth and at the depth, by the meaning of both
-    return SheerLine(np.append(at[steady], frame.half_breadth_px), np.append(height_px[steady], depth_px))
+    # amidships the deck edge lies at half the breadth and at the depth, by the meaning of both, if the side is drawn so
+    # high; else the widest stations end lower than the ship's ends
+    to_depth = side_top_px is not None and side_top_px > (1 - 2 * DEPTH_TOLERANCE) * depth_px
+    last = depth_px if to_depth or not steady.any() else float(height_px[steady][-1])
+    return SheerLine(np.append(at[steady], frame.half_breadth_px), np.append(height_px[steady], last))
 
 
 def _long_runs(y: Array, z: Array, shortest: float) -> NDArray[np.bool_]:
