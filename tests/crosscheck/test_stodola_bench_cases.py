@@ -39,14 +39,14 @@ def case(name: str) -> Girder:
 @pytest.mark.parametrize("name", ANSWERS)
 def test_two_steps_on_twelve_functions(name):
     errors = np.abs(solve(case(name), modes=6).angular_frequencies / ANSWERS[name] - 1)
-    # numerics.md section 3, two steps: 7e-16, 1e-16, 2e-13 in modes 1 to 3 and 8e-9 in mode 6 of case C
+    # an independent trial code, two steps: 7e-16, 1e-16, 2e-13 in modes 1 to 3 and 8e-9 in mode 6 of case C
     assert (errors[:3] < 1e-11).all()
     assert errors[5] < 1e-7
 
 
 def test_one_step_errs_as_measured_elsewhere():
     errors = solve(case("C"), StodolaRitz(steps=1), modes=6).angular_frequencies / ANSWERS["C"] - 1
-    # numerics.md section 3, printed with one digit
+    # of the same trial code, printed with one digit
     assert [float(f"{errors[mode]:.0e}") for mode in (0, 1, 2, 5)] == [1e-11, 2e-9, 1e-8, 4e-6]
 
 

@@ -100,7 +100,7 @@ def test_a_sharp_end_is_solved_and_the_missing_proof_explained(tmp_path, capsys)
     )
     assert main(["solve", str(path), "--method", "ritz", "--basis", "legendre", "--modes", "3"]) == 0
     out, _ = capsys.readouterr()
-    # exact-beams.md, wedge_sharp
+    # tests/data/exact_beams.json, wedge_sharp
     assert [line.split()[3] for line in out.splitlines()[2:5]] == ["12.7575", "27.7554", "47.5759"]
     assert "numerical error not proven: the flexural rigidity vanishes at x = 1 m" in out
 

@@ -29,7 +29,7 @@ def double(n, k):
 
 
 FORE, AFT = 2 - 2 * XI, 2 * XI
-# exact-beams.md of the shared folder, section 3: Bessel functions and Jacobi polynomials in 45-digit arithmetic
+# tests/data/exact_beams.json: Bessel functions and Jacobi polynomials in 45-digit arithmetic
 SHARP = {
     "wedge": (tip([(1 - XI, 1)], [(1 - XI, 3)]), [12.7575088709440, 27.7553529693745, 47.5759448930284]),
     "cone": (tip([(1 - XI, 2)], [(1 - XI, 4)]), [17.4164576741972, 35.0269759566952, 57.3796409776707]),

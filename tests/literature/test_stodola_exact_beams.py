@@ -1,11 +1,10 @@
 """Stodola-Ritz and its brackets on beams with exact answers: tapered, sharp, exponential, end masses, stepped.
 
 Every beam is given on x = 0..1 with unit mass and rigidity at its reference section. The answers come from
-characteristic equations in 45-digit arithmetic (reference/exact-beams.md of the shared folder, section 3).
+characteristic equations in 45-digit arithmetic (tests/data/exact_beams.json).
 """
 
 import json
-import os
 from pathlib import Path
 
 import numpy as np
@@ -14,10 +13,10 @@ from numpy.polynomial import Polynomial
 
 from hullvib import Girder, NotProven, PointMass, StodolaRitz, bracket, solve
 
-SHARED = Path(os.environ.get("HULLFORM_SHARED", Path(__file__).resolve().parents[2] / ".." / "shared"))
+DATA = Path(__file__).parents[1] / "data"
 XI = Polynomial([0.0, 1.0])
 
-# exact-beams.md section 3, first three of each row, 15 digits
+# the first three of each, 15 digits
 FINITE = {
     "uniform": [22.3732854480613, 61.6728228679202, 120.903391727123],
     "wedge_c0.5": [16.7241578083102, 45.5025996741302, 88.7110698874817],
@@ -80,7 +79,7 @@ def stepped(a: float, mu: float, e: float) -> Girder:
 
 @pytest.mark.parametrize("name", FINITE)
 def test_finite_ends(name):
-    # two steps leave 2e-13 in mode 3 (numerics.md section 3); the table has 15 digits
+    # two steps leave 2e-13 in mode 3 where measured on another beam; the table has 15 digits
     assert solve(beam(name), modes=3).angular_frequencies == pytest.approx(FINITE[name], rel=1e-10, abs=0)
 
 
@@ -124,10 +123,7 @@ def test_sharp_ends_have_no_comparison_beam(name):
 
 
 def test_the_whole_file():
-    file = SHARED / "reference" / "exact_beams.json"
-    if not file.exists():
-        pytest.skip(f"no exact_beams.json under {SHARED}: set HULLFORM_SHARED")
-    content = json.loads(file.read_text())
+    content = json.loads((DATA / "exact_beams.json").read_text(encoding="utf-8"))
     names = [name for name in content["beams"] if name in FINITE or name in SHARP]
     assert len(names) == len(FINITE) + len(SHARP)
     for name in names:

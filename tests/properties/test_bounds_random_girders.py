@@ -38,7 +38,7 @@ def test_brackets_contain_the_finite_element_answer(girder):
     proven["yes"] += 1
     coarse, fine = (solve(girder, FiniteElements(n), modes=3).angular_frequencies for n in (200, 400))
     # cubic elements converge with h^4, in bays whose EI doubles from 2e-7 at 400 on; extrapolated to h = 0 they leave
-    # their round-off, below 1e-7 at 400 (numerics.md section 3)
+    # their round-off, below 1e-7 at 400, as measured
     answer = fine + (fine - coarse) / 15.0
     assert (found.lower <= answer * (1 + 1e-7)).all()
     assert (found.upper >= answer * (1 - 1e-7)).all()

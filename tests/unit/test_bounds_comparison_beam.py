@@ -23,7 +23,7 @@ def test_the_count_is_exact_for_a_uniform_beam():
 
 
 def test_the_count_of_point_masses_at_the_ends():
-    # exact-beams.md section 3, uniform_endmass_0.5_0.5; unit of eigenvalues: total mass 2
+    # tests/data/exact_beams.json, uniform_endmass_0.5_0.5; unit of eigenvalues: total mass 2
     girder = Girder([0, 1], [1, 1], [1, 1], point_masses=[PointMass(0, 0.5), PointMass(1, 0.5)])
     exact = 2.0 * np.array([12.7937136057281, 42.8576063710817, 92.4036042551996]) ** 2
     beam = comparison_beam(girder, 2e4, 0.1, 1e-3)
