@@ -56,7 +56,7 @@ def test_brackets_contain_the_answers_and_are_narrow(name):
     exact = np.array(ANSWERS[name][:5])
     assert (found.lower <= exact).all()
     assert (exact <= found.upper).all()
-    # the truncation is below 1e-6 in mode 5 (numerics.md section 4); margins for rounding make it 1e-8 to 1e-7
+    # the truncation is below 1e-6 in mode 5; margins for rounding make it 1e-8 to 1e-7
     assert (found.relative_width <= 1e-6).all()
 
 
