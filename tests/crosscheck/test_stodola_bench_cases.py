@@ -2,38 +2,9 @@
 
 import numpy as np
 import pytest
+from reference_girders import ANSWERS, LENGTH, case
 
-from hullvib import FiniteElements, Girder, StodolaRitz, bracket, solve
-
-LENGTH, RIGIDITY, MEAN_MASS = 262.0, 52.118e12, 284962.0
-
-# bench/reference.json, rad/s, modes 1-6
-ANSWERS = {
-    "A": [4.4078578114550473, 12.150429791097198, 23.819700548360490, 39.375174990086805, 58.819718340975258,
-          82.153159709890292],
-    "B": [4.9218558239898846, 12.818834605080646, 24.314249693211140, 39.406710633532919, 58.124341559928812,
-          80.485025116693479],
-    "C": [4.9991976900179876, 11.993742931176827, 21.490464361706317, 34.180751878304377, 50.339321490990351,
-          70.079276652104245],
-}  # fmt: skip
-
-
-def case(name: str) -> Girder:
-    if name == "A":
-        return Girder([0, LENGTH], [MEAN_MASS] * 2, [RIGIDITY] * 2)
-    if name == "B":
-        u = np.polynomial.Polynomial([-1.0, 2.0 / LENGTH])
-        mass, rigidity = MEAN_MASS / (1 - 0.7 / 3) * (1 - 0.7 * u**2), RIGIDITY * (1 - 0.6 * u**4)
-        return Girder.from_polynomials([0, LENGTH], [mass.coef], [rigidity.coef])
-    weights = np.array([3, 6, 4, 12, 5, 13, 6, 15, 5, 14, 7, 16, 6, 15, 5, 12, 4, 9, 3, 5])
-    edges = np.arange(21) * (LENGTH / 20)
-    return Girder.from_tables(
-        mass=(np.repeat(edges, 2)[1:-1], np.repeat(weights / weights.mean() * MEAN_MASS, 2)),
-        rigidity=(
-            LENGTH * np.array([0, 0.2, 0.2, 0.5, 0.75, 0.75, 1]),
-            RIGIDITY * np.array([0.25, 0.65, 0.95, 1.1, 1.0, 0.6, 0.15]),
-        ),
-    )
+from hullvib import FiniteElements, StodolaRitz, bracket, solve
 
 
 @pytest.mark.parametrize("name", ANSWERS)

@@ -12,8 +12,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.polynomial import Polynomial
+from reference_girders import beam
 
-from hullvib import FiniteElements, Girder, PointMass, Ritz, ritz_convergence, solve
+from hullvib import FiniteElements, Girder, Ritz, ritz_convergence, solve
 
 EXACT = json.loads((Path(__file__).parents[1] / "data" / "exact_beams.json").read_text(encoding="utf-8"))
 END_MASSES = "uniform_endmass_0.5_0.5"
@@ -58,34 +59,6 @@ STEPPED = {
     (0.25, 0.5, 0.25): [24.870305803505, 52.075042570106, 97.118969195744],
     (0.2, 2.0, 0.4): [18.024868993184, 46.485694759540, 80.074837492509],
 }
-
-
-def beam(name: str) -> Girder:
-    """The beam of exact_beams.json, from its name."""
-    xi = Polynomial([0.0, 1.0])
-    if name == "uniform":
-        return Girder([0, 1], [1, 1], [1, 1])
-    if name.startswith("uniform_endmass"):
-        aft, fore = (float(part) for part in name.split("_")[-2:])
-        return Girder([0, 1], [1, 1], [1, 1], point_masses=[PointMass(0, aft), PointMass(1, fore)])
-    if name == "exponential_a2":
-        return Girder.from_functions(1.0, lambda x: np.exp(2 * x), lambda x: np.exp(2 * x))
-    if name.startswith("timoshenko_hull"):
-        b, c = (float(part[1:]) for part in name.split("_")[-2:])
-        u = 2 * xi - 1
-        return Girder.from_polynomials([0, 1], [(1 - c * u**2).coef], [(1 - b * u**2).coef])
-    if name.startswith("jacobi"):
-        a, b = (int(part[1:]) for part in name.split("_")[-2:])
-        aft, fore = 2 * xi, 2 - 2 * xi
-        return Girder.from_polynomials([0, 1], [(fore**a * aft**b).coef], [(fore ** (a + 2) * aft ** (b + 2)).coef])
-    c = 0.0 if name.endswith("sharp") else float(name.split("_c")[-1])
-    power = {"wedge": (1, 3), "cone": (2, 4), "quartic": (4, 4)}
-    n, k = next(value for key, value in power.items() if key in name)
-    if name.startswith("double"):
-        aft, fore = c + 2 * (1 - c) * xi, 1 - 2 * (1 - c) * xi
-        return Girder.from_polynomials([0, 0.5, 1], [(aft**n).coef, (fore**n).coef], [(aft**k).coef, (fore**k).coef])
-    s = 1 - (1 - c) * xi
-    return Girder.from_polynomials([0, 1], [(s**n).coef], [(s**k).coef])
 
 
 def exact_modes(name: str) -> list[float]:
