@@ -1,4 +1,7 @@
-"""One half of the body plan: from its ink to finished curves, the innermost first."""
+"""One half of the body plan: from its ink to finished curves, the innermost first.
+
+What depends on the picture alone is prepared once; tracing is quick and can be done again with other marks.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,7 @@ from hullform.picture.flow import find_paths
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
 from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
-from hullform.picture.ridges import find_peaks, find_tracklets, line_width, usable
+from hullform.picture.ridges import Tracklet, find_peaks, find_tracklets, line_width, usable
 from hullform.picture.sheer import SheerLine, find_sheer
 from hullform.picture.side import top_of_side
 from hullform.picture.smoothing import Trace, smooth_traces
@@ -50,18 +53,40 @@ class HalfReading:
     unlisted: int = 0
 
 
-def read_half(
-    half: Half,
-    frame: DiagonalFrame,
-    ink: Ink,
-    bare: Ink,
-    mask: Mask,
-    depth_px: float,
-    deck_line: bool,
-    most: int,
-    marks: tuple[tuple[float, float], ...] = (),
-) -> HalfReading:
-    """Trace the curves of one half.
+@dataclass(frozen=True, eq=False)
+class HalfInk:
+    """The ink of one half, ready to be traced.
+
+    Attributes:
+        half: which.
+        frame: its diagonal frame.
+        ink: (rows, columns) of the frame, the long lines of the sheet taken off.
+        hidden: where they lay.
+        line_width_px: usual thickness of a line; `single_px`: of a ribbon that is one line.
+        depth_px: depth at side.
+        deck_level_px: height of a level deck line at the depth, or None where none is drawn.
+        side_top_px: height to which stations run along the line of B/2, or None where none does.
+        sheer: the deck edge, or None where none was found.
+        tracklets: pieces of curve.
+    """
+
+    half: Half
+    frame: DiagonalFrame
+    ink: Ink
+    hidden: Mask
+    line_width_px: float
+    single_px: float
+    depth_px: float
+    deck_level_px: float | None
+    side_top_px: float | None
+    sheer: SheerLine | None
+    tracklets: list[Tracklet]
+
+
+def prepare_half(
+    half: Half, frame: DiagonalFrame, ink: Ink, bare: Ink, mask: Mask, depth_px: float, deck_line: bool
+) -> HalfInk:
+    """Find the deck edge and the pieces of curve of one half.
 
     Args:
         half: which.
@@ -69,13 +94,10 @@ def read_half(
         ink: of the picture; bare: the same, its long lines taken off; mask: where they lay.
         depth_px: depth at side.
         deck_line: whether a level line is drawn at the depth.
-        most: number of stations of the half.
-        marks: (y, z) in px of the drawing of the user's marks.
     """
     here = frame.sample(bare)
-    hidden = frame.sample_mask(mask)
     width = line_width(here)
-    hidden = _widened(hidden, width)
+    hidden = _widened(frame.sample_mask(mask), width)
     side_top = top_of_side(ink, frame, width)
     if side_top is not None and abs(side_top / depth_px - 1) < NEAR_DEPTH:
         side_top = depth_px
@@ -90,22 +112,36 @@ def read_half(
     else:
         on_deck = (z > DECK_ZONE * depth_px) & (peaks.slope > LEVEL_SLOPE)
         above = z > (1.01 if deck_line else 1.6) * depth_px
-    peaks = peaks.chosen(~(on_deck | above))
-    tracklets = find_tracklets(peaks)
+    tracklets = find_tracklets(peaks.chosen(~(on_deck | above)))
+    single = float(np.percentile(np.concatenate([t.width for t in tracklets]), 35)) if tracklets else width
+    level = depth_px if deck_line else None
+    return HalfInk(half, frame, here, hidden, width, single, depth_px, level, side_top, sheer, tracklets)
+
+
+def trace_half(prepared: HalfInk, most: int, marks: tuple[tuple[float, float], ...] = ()) -> HalfReading:
+    """Trace the curves of one half.
+
+    Args:
+        prepared: its ink.
+        most: number of stations of the half.
+        marks: (y, z) in px of the drawing of the user's marks.
+    """
+    here, frame, sheer, tracklets = prepared.ink, prepared.frame, prepared.sheer, prepared.tracklets
+    side_top, width = prepared.side_top_px, prepared.line_width_px
     if not tracklets:
-        return HalfReading(half, frame, (), (), sheer, width)
-    thickness = np.concatenate([t.width for t in tracklets])
-    single = float(np.percentile(thickness, 35))
+        return HalfReading(prepared.half, frame, (), (), sheer, width)
     ends = np.array([(t.column[-1], t.row[-1]) for t in tracklets], dtype=np.float64)
     end_y, _ = frame.to_drawing(ends[:, 0], ends[:, 1])
-    top = sheer.at(end_y) if sheer is not None else np.full(len(tracklets), depth_px)
+    top = sheer.at(end_y) if sheer is not None else np.full(len(tracklets), prepared.depth_px)
     seeds = tuple((float(c), float(r)) for c, r in (frame.from_drawing(y, z) for y, z in marks))
-    paths, unlisted = find_paths(tracklets, here, hidden, frame, single, top, most, seeds, side_top)
-    traces = smooth_traces(paths, tracklets, single, frame)
-    level = depth_px if deck_line else None
+    paths, unlisted = find_paths(
+        tracklets, here, prepared.hidden, frame, prepared.single_px, top, most, seeds, side_top
+    )
+    traces = smooth_traces(paths, tracklets, prepared.single_px, frame)
+    level = prepared.deck_level_px
     curves = tuple(_evenly(np.column_stack(finish(trace, frame, here, sheer, level, side_top))) for trace in traces)
     confidences = tuple(_confidence(trace) for trace in traces)
-    return HalfReading(half, frame, curves, confidences, sheer, width, unlisted)
+    return HalfReading(prepared.half, frame, curves, confidences, sheer, width, unlisted)
 
 
 def _widened(mask: Mask, width_px: float) -> Mask:

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from hullform.body_plan import BodyPlan, Calibration, Half, Station, TracedCurve
 from hullform.errors import PictureError
-from hullform.picture.calibration import calibrate
 from hullform.picture.doubts import (
     NamedHalf,
     doubts_of_counts,
@@ -19,18 +18,16 @@ from hullform.picture.doubts import (
     doubts_of_scale,
     doubts_of_size,
 )
-from hullform.picture.frame import DiagonalFrame
-from hullform.picture.half import HalfReading, read_half
-from hullform.picture.ink import Picture, ink_of, load_grey
-from hullform.picture.lines import find_lines, subtract_lines
+from hullform.picture.half import HalfReading, trace_half
+from hullform.picture.ink import Picture
 from hullform.picture.marks import near_curves, place_marks, unheeded
 from hullform.picture.naming import NO_CURVE, assign_stations, half_breadths_at, mark_distances
-from hullform.picture.reduction import Reduction, reduced
+from hullform.picture.reduction import Reduction
+from hullform.picture.sheet import Sheet, prepare_sheet
 from hullform.ship import Ship
 
 Array = NDArray[np.float64]
 
-HIGHEST = 1.6  # of the depth: how high the drawing is searched above the base line
 FEWEST_CURVES = 3  # of a half: fewer are no body plan
 LOW_CONFIDENCE = 0.5
 
@@ -83,47 +80,36 @@ def read_picture(ship: Ship) -> PictureReading:
     Raises:
         PictureError: no readable picture, no calibration, too few curves.
     """
-    path, source, main = ship.body_plan.image_path, ship.body_plan, ship.particulars
-    whole = load_grey(path)
-    size_px = (whole.shape[1], whole.shape[0])
-    grey, reduction = reduced(whole)
-    del whole
-    ink = ink_of(grey, str(path))
-    horizontal, vertical = find_lines(ink)
-    given = reduction.given(source.calibration)
-    sheet = calibrate(ink, horizontal, vertical, main.breadth_m, main.depth_m, given, str(path))
-    calibration = sheet.calibration
-    bare, mask = subtract_lines(ink, list(sheet.frame_lines))
-    depth_px = main.depth_m / calibration.metres_per_px
-    deck_line = any(
-        not line.vertical
-        and abs(calibration.baseline_px - float(line.at(calibration.centreline_px)) - depth_px) < 0.006 * depth_px
-        for line in sheet.frame_lines
-    )
-    top_m = min(HIGHEST * main.depth_m, (calibration.baseline_px - 2) * calibration.metres_per_px)
-    if top_m < 0.5 * main.depth_m:
-        raise PictureError(
-            f"{path}: at {calibration.metres_per_px:.4g} m per px the picture ends {top_m:.2f} m above the base line, "
-            f"but the depth is {main.depth_m:g} m; check breadth_m, depth_m and [body_plan.calibration]"
-        )
-    left: Half = "aft" if source.aft_side == "left" else "fore"
+    return read_sheet(prepare_sheet(ship), ship)
+
+
+def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
+    """Trace the stations of a sheet that is prepared; quick, so that it can be done again with other marks.
+
+    Args:
+        sheet: of the ship's picture and calibration.
+        ship: her stations and marks.
+
+    Raises:
+        PictureError: too few curves.
+    """
+    path, source, main = sheet.path, ship.body_plan, ship.particulars
     halves: list[NamedHalf] = []
     stations: list[Station] = []
-    notes, doubts = list(sheet.notes), list(sheet.doubts)
+    notes, doubts = list(sheet.calibrated.notes), list(sheet.calibrated.doubts)
     named: tuple[tuple[Half, tuple[float, ...]], ...] = (
         ("aft", source.aft_stations_m),
         ("fore", source.fore_stations_m),
     )
     for half, names in named:
-        frame = DiagonalFrame.of(calibration, -1 if half == left else 1, main.breadth_m, top_m)
+        prepared = sheet.halves[half]
+        frame = prepared.frame
         # from the centre line outwards: the aft half from aft forward, the fore half from forward aft
         inner_first = names if half == "aft" else names[::-1]
         marks, doubts_of_marks = place_marks(
-            [mark for mark in source.marks if mark.half == half], inner_first, frame, size_px, reduction
+            [mark for mark in source.marks if mark.half == half], inner_first, frame, sheet.size_px, sheet.reduction
         )
-        reading = read_half(
-            half, frame, ink, bare, mask, depth_px, deck_line, len(names), tuple((m.y_px, m.z_px) for m in marks)
-        )
+        reading = trace_half(prepared, len(names), tuple((m.y_px, m.z_px) for m in marks))
         if len(reading.curves) < min(FEWEST_CURVES, len(names)):
             raise PictureError(
                 f"{path}: too few curves: {len(reading.curves)} found in the {half} half, which has {len(names)} "
@@ -143,12 +129,13 @@ def read_picture(ship: Ship) -> PictureReading:
         doubts += unheeded(marks, reading.curves, assigned, frame.half_breadth_px)
         halves.append(NamedHalf(reading, inner_first, tuple(assigned)))
     readings = [half.reading for half in halves]
-    doubts += doubts_of_scale(str(path), readings, ink, bare, main.breadth_m, main.depth_m)
+    doubts += doubts_of_scale(str(path), readings, sheet.ink, sheet.bare, main.breadth_m, main.depth_m)
     doubts += doubts_of_counts(halves)
     doubts += doubts_of_parallel_body(halves, main.length_between_perpendiculars_m)
     doubts += doubts_of_size(path.name, readings)
-    doubts += doubts_of_edges(readings, bare)
-    body_plan = BodyPlan(tuple(stations), "picture", reduction.stored(calibration), tuple(notes), tuple(doubts))
+    doubts += doubts_of_edges(readings, sheet.bare)
+    calibration = sheet.calibrated.calibration
+    body_plan = BodyPlan(tuple(stations), "picture", sheet.reduction.stored(calibration), tuple(notes), tuple(doubts))
     scale = calibration.metres_per_px
     sheer_m = {
         reading.half: np.column_stack([reading.sheer.y_px, reading.sheer.z_px]) * scale
@@ -156,7 +143,16 @@ def read_picture(ship: Ship) -> PictureReading:
         if reading.sheer is not None
     }
     return PictureReading(
-        body_plan, grey, reduction, path, main.breadth_m, main.depth_m, main.draught_m, left, sheet.grid_m, sheer_m
+        body_plan,
+        sheet.grey,
+        sheet.reduction,
+        path,
+        main.breadth_m,
+        main.depth_m,
+        main.draught_m,
+        "aft" if source.aft_side == "left" else "fore",
+        sheet.calibrated.grid_m,
+        sheer_m,
     )
 
 
