@@ -129,7 +129,8 @@ def doubts_of_scale(
     tops_m = [top * scale for top in sides if top is not None] or [
         max(float(curve[-1, 1]) for curve in near_side or [curve for curve, _ in curves]) * scale
     ]
-    cut_off = sum(_runs_on(curve, reading, bare) for curve, reading in curves) > 0.5 * len(curves)
+    near = np.asarray(cv2.dilate(bare, np.ones((7, 7), np.uint8)), dtype=np.float32)
+    cut_off = sum(_runs_on(curve, reading, near) for curve, reading in curves) > 0.5 * len(curves)
     curves_above = cut_off or any(curve[-1, 1] * scale > (1 + SCALES_APART) * depth_m for curve in near_side)
     top = max(tops_m) if max(tops_m) < depth_m else min(tops_m)
     fits = (top / depth_m > 1 - SCALES_APART) and (top / depth_m < 1 + SCALES_APART or not curves_above)
@@ -217,12 +218,11 @@ def _top_of_side(reading: HalfReading, ink: Ink) -> float | None:
     return float(z[upper[-1]])
 
 
-def _runs_on(curve: Array, reading: HalfReading, ink: Ink) -> bool:
-    """Whether ink goes on in the direction in which a curve ends."""
+def _runs_on(curve: Array, reading: HalfReading, near: Ink) -> bool:
+    """Whether ink, widened by some pixels, goes on in the direction in which a curve ends."""
     size = reading.frame.half_breadth_px
     behind = curve[-1] - curve[np.hypot(*(curve - curve[-1]).T) > 0.03 * size][-1]
     ahead = np.linspace(*RUNS_ON, 40)[:, None] * size * behind / np.hypot(*behind) + curve[-1]
     u, v = reading.frame.to_picture(ahead[:, 0], ahead[:, 1])
-    near = cv2.dilate(ink, np.ones((7, 7), np.uint8))
     seen = cv2.remap(near, u.astype(np.float32)[None], v.astype(np.float32)[None], cv2.INTER_NEAREST)
     return bool((seen > 0.3).mean() > 0.8)
