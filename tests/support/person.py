@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
+from reading_accuracy import to_polyline
 from real_hull import RealHull, TrueStation
 
 from hullform.body_plan import Half
@@ -25,7 +26,7 @@ Point = tuple[float, float]
 GOOD = 0.3  # RMS in % of B/2 with which the person is content
 CLICK_NOISE_PX = 1.5  # of a click that marks a curve
 DRAWN_NOISE_PX = 1.0  # of the points of a drawn curve, set with the loupe
-POINTS_OF_CURVE = 13
+POINTS_OF_CURVE = 15
 POINTS_OF_DECK = 6
 ALONG = 0.5  # of a curve: where it is marked
 BEND = 2.0  # radians of bend that call for as many points as the whole length does
@@ -59,7 +60,9 @@ def corrections_of(hull: RealHull, ship: Ship, sheet: Sheet, seed: int = 1) -> l
         before = len(wrong)
         # the innermost first: bulbs and their like, which the others lie outside of
         for station in wrong if wrong[0].half == "aft" else wrong[::-1]:
-            kept, wrong = _tried(_by_hand(station, rng), hull, ship, sheet, kept, wrong)
+            for smooth in (True, False):
+                if station in wrong:
+                    kept, wrong = _tried(_by_hand(station, smooth, rng), hull, ship, sheet, kept, wrong)
         if len(wrong) >= before:
             break
     return kept
@@ -103,7 +106,7 @@ def _deck_edge(hull: RealHull, half: Half, rng: np.random.Generator) -> DeckEdge
     return DeckEdge(id=f"deck-{half}", half=half, px=_clicks(chosen, CLICK_NOISE_PX, rng))
 
 
-def _by_hand(station: TrueStation, rng: np.random.Generator) -> list[Correction]:
+def _by_hand(station: TrueStation, smooth: bool, rng: np.random.Generator) -> list[Correction]:
     """The curves of a station, drawn: the one that reaches the deck is its first."""
     curves = sorted(station.curves_px, key=lambda curve: float(curve[:, 1].min()))
     return [
@@ -112,7 +115,8 @@ def _by_hand(station: TrueStation, rng: np.random.Generator) -> list[Correction]
             station_m=station.x_m,
             half=station.half,
             curve=number,
-            px=_clicks(_where_it_bends(curve), DRAWN_NOISE_PX, rng),
+            px=_clicks(_where_it_bends(curve) if smooth else _corners(curve), DRAWN_NOISE_PX, rng),
+            smooth=smooth,
         )
         for number, curve in enumerate(curves[:2])
     ]
@@ -130,3 +134,11 @@ def _where_it_bends(curve: Array) -> Array:
     at = np.concatenate([[0.0], np.cumsum(weight)])
     wanted = np.linspace(0.0, at[-1], POINTS_OF_CURVE)
     return np.column_stack([np.interp(wanted, at, curve[:, k]) for k in (0, 1)])
+
+
+def _corners(curve: Array) -> Array:
+    """The points of a curve between which straight pieces follow it best, by the rule of Douglas and Peucker."""
+    chosen = [0, len(curve) - 1]
+    while len(chosen) < min(POINTS_OF_CURVE, len(curve)):
+        chosen = sorted({*chosen, int(np.argmax(to_polyline(curve, curve[chosen])))})
+    return curve[chosen]
