@@ -60,7 +60,7 @@ class RealHull:
 
 
 def real_hull(name: str, folder: Path) -> RealHull:
-    """Write the ship.toml of one of those hulls into a folder, beside which her picture need not lie; skip without her."""
+    """Write the ship.toml of one of those hulls into a folder; her picture stays where it is. Skips where she is absent."""
     source = HULLS / name
     if not (source / "calibration.json").is_file():
         pytest.skip(f"{source}: not present; HULLFORM_SHARED names the folder that holds hulls/")
