@@ -19,7 +19,7 @@ from hullform.picture.doubts import (
     doubts_of_size,
 )
 from hullform.picture.half import HalfReading, trace_half
-from hullform.picture.ink import Picture
+from hullform.picture.image_files import Picture
 from hullform.picture.marks import near_curves, place_marks, unheeded
 from hullform.picture.naming import NO_CURVE, assign_stations, half_breadths_at, mark_distances
 from hullform.picture.reduction import Reduction
