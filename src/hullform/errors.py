@@ -3,6 +3,7 @@
 HullformError                  what a user can cause and mend; the command line prints it, exit code 1
   ShipFileError                ship.toml is missing, unreadable or says something impossible
   PictureError                 the picture cannot be read as a body plan
+  ReviewError                  a review file that is damaged or was made of another picture
   BodyPlanError                offsets or traced curves that make no body plan
   HullError                    a hull or a floating position that cannot be
   LoadingError                 weights or a structure that cannot be
@@ -22,6 +23,10 @@ class ShipFileError(HullformError):
 
 class PictureError(HullformError):
     """The picture cannot be read as a body plan."""
+
+
+class ReviewError(HullformError):
+    """A review file that is damaged or was made of another picture."""
 
 
 class BodyPlanError(HullformError):

@@ -250,6 +250,11 @@ class Ship(_Table):
         """What is read: ship.toml and the picture."""
         return (self._path, self.body_plan.image_path)
 
+    def reading(self, body_plan: BodyPlanSource) -> Ship:
+        """The same ship with another account of the same picture."""
+        body_plan._folder = self.body_plan._folder
+        return self.model_copy(update={"body_plan": body_plan})
+
     def require_condition(self, name: str) -> ConditionInput:
         """The loading condition of that name.
 

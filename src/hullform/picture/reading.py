@@ -24,6 +24,7 @@ from hullform.picture.marks import near_curves, place_marks, unheeded
 from hullform.picture.naming import NO_CURVE, assign_stations, half_breadths_at, mark_distances
 from hullform.picture.reduction import Reduction
 from hullform.picture.sheet import Sheet, prepare_sheet
+from hullform.review_file import read_review
 from hullform.ship import Ship
 
 Array = NDArray[np.float64]
@@ -72,14 +73,18 @@ class PictureReading:
 
 
 def read_picture(ship: Ship) -> PictureReading:
-    """Trace the stations of a body plan picture.
+    """Trace the stations of a body plan picture, as corrected by the review that lies beside her ship.toml.
 
     Args:
         ship: [ship] and [body_plan] of a ship.toml with an image.
 
     Raises:
         PictureError: no readable picture, no calibration, too few curves.
+        ReviewError: the review is damaged, or was made of another picture.
     """
+    review = read_review(ship)
+    if review is not None:
+        ship = review.applied_to(ship)
     return read_sheet(prepare_sheet(ship), ship)
 
 

@@ -1,0 +1,144 @@
+"""<ship>.review.json: what a person confirmed and corrected of one picture.
+
+It goes before the calibration, stations and marks of ship.toml, which go before what is found in the picture.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from hullform.corrections import Correction, MarkedStation
+from hullform.errors import ReviewError
+from hullform.files import whole_file
+from hullform.ship import BodyPlanSource, CalibrationGiven, Number, Ship, Side
+
+SUFFIX = ".review.json"
+BLOCK_BYTES = 1 << 20
+
+
+class _Part(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class ReviewedPicture(_Part):
+    """The picture that was looked at."""
+
+    file: str
+    sha256: Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
+
+
+class ReviewedStations(_Part):
+    """Which half is drawn left, and the stations of each half, from aft forward."""
+
+    aft_side: Side
+    aft_stations_m: Annotated[tuple[Number, ...], Field(min_length=1)]
+    fore_stations_m: Annotated[tuple[Number, ...], Field(min_length=1)]
+
+
+class Review(_Part):
+    """A whole review file. What is None was left as ship.toml has it, or as it is found."""
+
+    schema_number: Annotated[Literal[1], Field(alias="schema")] = 1
+    picture: ReviewedPicture
+    calibration: CalibrationGiven | None = None
+    stations: ReviewedStations | None = None
+    corrections: tuple[Correction, ...] = ()
+
+    def applied_to(self, ship: Ship) -> Ship:
+        """The ship with the review's calibration, stations and marks in place of those of her file.
+
+        A station that the review marks loses the marks of the file.
+
+        Raises:
+            ReviewError: the stations or marks do not fit each other.
+        """
+        source = ship.body_plan
+        marks = [correction.mark for correction in self.corrections if isinstance(correction, MarkedStation)]
+        marked = {(mark.half, mark.station_m, mark.curve) for mark in marks}
+        marks += [mark for mark in source.marks if (mark.half, mark.station_m, mark.curve) not in marked]
+        stations = {} if self.stations is None else self.stations.model_dump()
+        calibration = self.calibration if self.calibration is not None else source.calibration
+        changed = source.model_dump() | stations
+        changed |= {
+            "calibration": None if calibration is None else calibration.model_dump(),
+            "marks": tuple(mark.model_dump() for mark in marks),
+        }
+        try:
+            return ship.reading(BodyPlanSource.model_validate(changed))
+        except ValidationError as error:
+            raise _refused(review_path(ship), error) from None
+
+
+def review_path(ship: Ship) -> Path:
+    """Where the review of a ship lies: beside her ship.toml, by its name."""
+    return ship.path.with_name(ship.path.stem + SUFFIX)
+
+
+def new_review(ship: Ship) -> Review:
+    """An empty review of the ship's picture."""
+    image = ship.body_plan.image_path
+    return Review(picture=ReviewedPicture(file=ship.body_plan.image, sha256=_hash_of(image)))
+
+
+def read_review(ship: Ship) -> Review | None:
+    """The review that lies beside a ship.toml, or None where there is none.
+
+    Raises:
+        ReviewError: the file is damaged, or was made of another picture.
+    """
+    path = review_path(ship)
+    try:
+        document = json.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        return None
+    except (OSError, UnicodeDecodeError) as error:
+        raise ReviewError(f"{path}: cannot be read ({error}); check it, or move it away") from None
+    except json.JSONDecodeError as error:
+        raise ReviewError(f"{path}: is no JSON: {error}; mend it, or move it away and review again") from None
+    try:
+        review = Review.model_validate(document)
+    except ValidationError as error:
+        raise _refused(path, error) from None
+    image = ship.body_plan.image_path
+    if review.picture.sha256 != _hash_of(image):
+        raise ReviewError(
+            f"{path}: was made of another picture than {image} is now; its places mean nothing here. "
+            "Put the former picture back, or move the review away and run 'hullform review' again"
+        )
+    return review
+
+
+def write_review(review: Review, ship: Ship) -> Path:
+    """Write the review beside its ship.toml, whole or not at all; returns the path.
+
+    Raises:
+        OutputError: the file cannot be written.
+    """
+    path = review_path(ship)
+    document: dict[str, Any] = review.model_dump(mode="json", by_alias=True, exclude_none=True)
+    with whole_file(path) as aside:
+        aside.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    return path
+
+
+def _hash_of(path: Path) -> str:
+    found = hashlib.sha256()
+    try:
+        with path.open("rb") as file:
+            while block := file.read(BLOCK_BYTES):
+                found.update(block)
+    except OSError as error:
+        raise ReviewError(f"{path}: cannot be read ({error.strerror}); check [body_plan] image in ship.toml") from None
+    return found.hexdigest()
+
+
+def _refused(path: Path, error: ValidationError) -> ReviewError:
+    faults = [(".".join(str(place) for place in fault["loc"]) or "the file", fault["msg"]) for fault in error.errors()]
+    return ReviewError(
+        "\n".join(f"{path}: {where}: {message.removeprefix('Value error, ')}" for where, message in faults)
+    )
