@@ -17,7 +17,7 @@ from hullform.picture.flow import find_paths
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
 from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
-from hullform.picture.ridges import Tracklet, find_peaks, find_tracklets, line_width, usable
+from hullform.picture.ridges import Tracklet, find_peaks, find_tracklets, line_width, usable, without_hair_lines
 from hullform.picture.sheer import SheerLine, find_sheer
 from hullform.picture.side import top_of_side
 from hullform.picture.smoothing import Trace, smooth_traces
@@ -112,7 +112,7 @@ def prepare_half(
     else:
         on_deck = (z > DECK_ZONE * depth_px) & (peaks.slope > LEVEL_SLOPE)
         above = z > (1.01 if deck_line else 1.6) * depth_px
-    tracklets = find_tracklets(peaks.chosen(~(on_deck | above)))
+    tracklets = without_hair_lines(find_tracklets(peaks.chosen(~(on_deck | above))))
     single = float(np.percentile(np.concatenate([t.width for t in tracklets]), 35)) if tracklets else width
     level = depth_px if deck_line else None
     return HalfInk(half, frame, here, hidden, width, single, depth_px, level, side_top, sheer, tracklets)
