@@ -15,6 +15,7 @@ from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
 from hullform.picture.sheer import SheerLine
 from hullform.picture.smoothing import WEIGHT_OF_SHARED, Trace
+from hullform.picture.winding import closed
 
 Array = NDArray[np.float64]
 Deck = Callable[[Array | float], Array]
@@ -64,6 +65,12 @@ def finish(
         return y, z
     deck = depth_px if sheer is None else float(sheer.at(size))
     return _up_the_side(y, z, size, min(side_top_px, np.inf if deck is None else deck))
+
+
+def finish_contour(trace: Trace, frame: DiagonalFrame) -> tuple[Array, Array]:
+    """(y, z) of a contour that comes back to the centre line, in px of the drawing, from its lower end."""
+    y, z = _lower_end(*frame.to_drawing(trace.column, trace.row), frame.half_breadth_px)
+    return closed(y, z, frame.half_breadth_px)
 
 
 def _visible_part(trace: Trace, frame: DiagonalFrame) -> tuple[Array, Array]:

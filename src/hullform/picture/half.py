@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.body_plan import Half
-from hullform.picture.finishing import finish
+from hullform.picture.finishing import finish, finish_contour
 from hullform.picture.flow import find_paths
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
@@ -21,6 +21,8 @@ from hullform.picture.ridges import Tracklet, find_peaks, find_tracklets, line_w
 from hullform.picture.sheer import SheerLine, find_sheer
 from hullform.picture.side import top_of_side
 from hullform.picture.smoothing import Trace, smooth_traces
+from hullform.picture.turning import find_turning, Turning
+from hullform.picture.winding import Pieces, ends_at_centre
 
 Array = NDArray[np.float64]
 
@@ -34,6 +36,14 @@ HIDDEN_BY_GRID = 0.7  # share of a curve that can be seen through a close grid: 
 
 
 @dataclass(frozen=True, eq=False)
+class Contour:
+    """(n, 2) [y, z] of a curve, px of the drawing, from its lower end on, and the confidence 0..1 in it."""
+
+    points: Array
+    confidence: float
+
+
+@dataclass(frozen=True, eq=False)
 class HalfReading:
     """The curves of one half, from the centre line outwards.
 
@@ -42,6 +52,7 @@ class HalfReading:
         confidences: 0..1 of each.
         sheer: the deck edge, or None where none was found.
         unlisted: by how many the curves are more than the stations that are listed.
+        loops: contours that come back to the centre line, from the innermost outwards.
     """
 
     half: Half
@@ -51,6 +62,7 @@ class HalfReading:
     sheer: SheerLine | None
     line_width_px: float
     unlisted: int = 0
+    loops: tuple[Contour, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +79,7 @@ class HalfInk:
         deck_level_px: height of a level deck line at the depth, or None where none is drawn.
         side_top_px: height to which stations run along the line of B/2, or None where none does.
         sheer: the deck edge, or None where none was found.
-        tracklets: pieces of curve.
+        tracklets: pieces of curve; turning: those that lean back.
     """
 
     half: Half
@@ -81,6 +93,7 @@ class HalfInk:
     side_top_px: float | None
     sheer: SheerLine | None
     tracklets: list[Tracklet]
+    turning: Turning
 
 
 def prepare_half(
@@ -115,7 +128,14 @@ def prepare_half(
     tracklets = find_tracklets(peaks.chosen(~(on_deck | above)))
     single = float(np.percentile(np.concatenate([t.width for t in tracklets]), 35)) if tracklets else width
     level = depth_px if deck_line else None
-    return HalfInk(half, frame, here, hidden, width, single, depth_px, level, side_top, sheer, tracklets)
+
+    def ceiling(half_breadth: Array) -> Array:
+        if sheer is not None:
+            return sheer.at(half_breadth) - SHEER_FLANK_PX
+        return np.full(np.shape(half_breadth), DECK_ZONE * depth_px)
+
+    turning = find_turning(here, hidden, tracklets, frame, width, ceiling)
+    return HalfInk(half, frame, here, hidden, width, single, depth_px, level, side_top, sheer, tracklets, turning)
 
 
 def trace_half(prepared: HalfInk, most: int, marks: tuple[tuple[float, float], ...] = ()) -> HalfReading:
@@ -135,13 +155,29 @@ def trace_half(prepared: HalfInk, most: int, marks: tuple[tuple[float, float], .
     top = sheer.at(end_y) if sheer is not None else np.full(len(tracklets), prepared.depth_px)
     seeds = tuple((float(c), float(r)) for c, r in (frame.from_drawing(y, z) for y, z in marks))
     paths, unlisted = find_paths(
-        tracklets, here, prepared.hidden, frame, prepared.single_px, top, most, seeds, side_top
+        tracklets, here, prepared.hidden, frame, prepared.single_px, top, most, seeds, side_top, prepared.turning
     )
-    traces = smooth_traces(paths, tracklets, prepared.single_px, frame)
+    traces = smooth_traces(paths, Pieces(tracklets, prepared.turning), prepared.single_px, frame)
     level = prepared.deck_level_px
-    curves = tuple(_evenly(np.column_stack(finish(trace, frame, here, sheer, level, side_top))) for trace in traces)
-    confidences = tuple(_confidence(trace) for trace in traces)
-    return HalfReading(prepared.half, frame, curves, confidences, sheer, width, unlisted)
+    curves, loops = [], []
+    for trace in traces:
+        confidence = _confidence(trace)
+        if trace.winds and ends_at_centre(frame.to_drawing(trace.column, trace.row)[0], frame.half_breadth_px):
+            points = np.column_stack(finish_contour(trace, frame))
+            loops.append(Contour(_evenly(points), confidence))
+            continue
+        points = np.column_stack(finish(trace, frame, here, sheer, level, side_top))
+        curves.append(Contour(_evenly(points), confidence))
+    return HalfReading(
+        prepared.half,
+        frame,
+        tuple(curve.points for curve in curves),
+        tuple(curve.confidence for curve in curves),
+        sheer,
+        width,
+        max(0, unlisted - len(loops)),
+        tuple(loops),
+    )
 
 
 def _widened(mask: Mask, width_px: float) -> Mask:

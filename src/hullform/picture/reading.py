@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from hullform.body_plan import BodyPlan, Calibration, Half, Station, TracedCurve
 from hullform.errors import PictureError
+from hullform.picture.contours import NO_LOOP, marks_on_loops, pair_loops
 from hullform.picture.doubts import (
     NamedHalf,
     doubts_of_counts,
@@ -121,6 +122,8 @@ def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
                 f"stations ({half}_stations_m); "
                 "check aft_side, breadth_m, depth_m and the calibration, or give a clearer picture"
             )
+        loops = [loop.points for loop in reading.loops]
+        marks, chosen = marks_on_loops(marks, reading.curves, loops, frame.half_breadth_px)
         marks, doubts_of_places = near_curves(marks, reading.curves, frame.half_breadth_px)
         at = [(mark.station, mark.y_px, mark.z_px) for mark in marks]
         assigned = assign_stations(
@@ -129,7 +132,9 @@ def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
             reading.confidences,
             mark_distances(reading.curves, at, len(names)),
         )
-        stations += _stations(reading, inner_first, assigned, notes, doubts)
+        named_curves = [None if number == NO_CURVE else reading.curves[number] for number in assigned]
+        second = pair_loops(loops, named_curves, frame.half_breadth_px, chosen)
+        stations += _stations(reading, inner_first, assigned, second, notes, doubts)
         doubts += doubts_of_marks + doubts_of_places
         doubts += unheeded(marks, reading.curves, assigned, frame.half_breadth_px)
         halves.append(NamedHalf(reading, inner_first, tuple(assigned)))
@@ -162,22 +167,36 @@ def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
 
 
 def _stations(
-    reading: HalfReading, inner_first: tuple[float, ...], assigned: list[int], notes: list[str], doubts: list[str]
+    reading: HalfReading,
+    inner_first: tuple[float, ...],
+    assigned: list[int],
+    second: list[int],
+    notes: list[str],
+    doubts: list[str],
 ) -> list[Station]:
     """The stations of a half with their curves in metres; reports what was shared and what was not sure."""
     scale = reading.frame.metres_per_px
     curves = []
     for points, confidence in zip(reading.curves, reading.confidences, strict=True):
         curves.append(TracedCurve(points[:, 0] * scale, points[:, 1] * scale, confidence))
+    loops = [TracedCurve(*(loop.points.T * scale), loop.confidence) for loop in reading.loops]
     stations = []
-    for x, number in zip(inner_first, assigned, strict=True):
+    for x, number, loop in zip(inner_first, assigned, second, strict=True):
+        contour = () if loop == NO_LOOP else (loops[loop],)
+        if number == NO_CURVE and contour:
+            stations.append(Station(x, reading.half, contour))
+            doubts.append(
+                f"station {x:g} m ({reading.half} half): only a contour that closes on the centre line was found; "
+                "mark a point of its other contour in [[body_plan.marks]]"
+            )
+            continue
         if number == NO_CURVE:
             doubts.append(
                 f"station {x:g} m ({reading.half} half): not found; mark a point of its curve in [[body_plan.marks]]"
             )
             continue
         others = tuple(sorted(o for o, n in zip(inner_first, assigned, strict=True) if n == number and o != x))
-        stations.append(Station(x, reading.half, (curves[number],), shared_with_m=others))
+        stations.append(Station(x, reading.half, (curves[number], *contour), shared_with_m=others))
         if curves[number].confidence < LOW_CONFIDENCE:
             doubts.append(
                 f"station {x:g} m ({reading.half} half): traced with confidence {curves[number].confidence:.2f}; "
