@@ -106,4 +106,5 @@ def _across(ends: Ends, length: Array, upwards: bool) -> Tips:
 def _at_centre(ends: Ends, frame: DiagonalFrame, scale: float, dearest: float) -> Array:
     """Little at the centre line, else too much."""
     y, _ = frame.to_drawing(ends.column, ends.row)
-    return np.where(np.abs(y) < REACH_OF_KEEL_PX * scale, 0.3 * np.abs(y), dearest * scale)
+    away, reach = np.abs(y), REACH_OF_KEEL_PX * scale
+    return np.where(away < reach, 0.3 * away, np.minimum(3 + 4 * (away - reach), dearest * scale))

@@ -26,6 +26,8 @@ Ceiling = Callable[[Array], Array]
 STEEPEST = 0.8  # da/db: the columns follow what is steeper than 0.45, and a curve's end is uncertain
 COVERED_PX = 2.5  # so near a piece of the columns it is that piece
 SHORTEST = 0.02  # of B/2: shorter ones are strokes of letters and of junctions
+LEVEL = -0.6  # da/db of a walk inboard that rises less than 14 degrees
+LOWEST_LEVEL = 0.1  # of B/2: level lines below are flats of bottom
 LARGEST_DESCENT = -1.25  # da/db of a walk inboard: so far below level may the top of a bulb fall
 
 
@@ -79,7 +81,9 @@ def find_turning(
     y, z = frame.to_drawing(peaks.row, rows - 1.0 - peaks.column)
     leaning = (peaks.slope < STEEPEST) & (peaks.slope > LARGEST_DESCENT)
     inside = (y > -0.008 * frame.half_breadth_px) & (z < ceiling(y))
-    good = leaning & inside & ~on_vertical & ~on_horizontal & (covered[row, column] == 0)
+    # a level line is walked outboard on the columns; the top of a bulb is one that is walked inboard
+    level = (peaks.slope < LEVEL) & (z > LOWEST_LEVEL * frame.half_breadth_px)
+    good = leaning & inside & ~on_vertical & ~on_horizontal & (level | (covered[row, column] == 0))
     pieces = find_tracklets(peaks.chosen(good))
     least = SHORTEST * frame.half_breadth_px
     return Turning([piece for piece in pieces if len(piece.column) >= least], rows)
