@@ -82,12 +82,14 @@ def find_bends(
         parts.append((source[other] + a, target[other] + b, cost[other]))
     source, target, cost = (np.concatenate([part[k] for part in parts]) for k in range(3))
     # a piece does not follow itself the other way round
-    twins = np.abs(source - target) != m
+    one_way = np.concatenate([np.zeros(n + m, dtype=np.bool_), turning.inboard_only])
+    allowed = (np.abs(source - target) != m) & ~one_way[source] & ~one_way[target]
     begin = Ends(*(np.concatenate(pair) for pair in _pairs(low, high)))
     end = Ends(*(np.concatenate(pair) for pair in _pairs(high, low)))
-    entry = np.concatenate([np.full(m, DEAREST_ENTRY * scale), _at_centre(high, frame, scale, DEAREST_ENTRY)])
+    outboard = np.where(turning.inboard_only, DEAREST_ENTRY * scale, _at_centre(high, frame, scale, DEAREST_ENTRY))
+    entry = np.concatenate([np.full(m, DEAREST_ENTRY * scale), outboard])
     leave = np.concatenate([_at_centre(high, frame, scale, DEAREST_EXIT), np.full(m, DEAREST_EXIT * scale)])
-    return Bends(begin, end, source[twins], target[twins], cost[twins], entry, leave)
+    return Bends(begin, end, source[allowed], target[allowed], cost[allowed], entry, leave)
 
 
 def _pairs(one: Ends, other: Ends) -> tuple[tuple[Array, Array], ...]:

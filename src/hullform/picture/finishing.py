@@ -120,6 +120,8 @@ def _continued(t: Array, n: Array, level: float, farthest: float) -> tuple[Array
 
 def _lower_end(y: Array, z: Array, size: float) -> tuple[Array, Array]:
     reach = NEAR_AXIS * size
+    if z[0] < -NEAR_KEEL * size:
+        return _on_centre_below(y, z, size)
     if min(y[0], z[0]) > reach:
         return y, z
     arc = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
@@ -149,6 +151,13 @@ def _lower_end(y: Array, z: Array, size: float) -> tuple[Array, Array]:
     if np.hypot(y[0], z[0]) < NEAR_KEEL * size:
         y[0] = z[0] = 0.0
     return np.maximum(y, 0.0), np.maximum(z, 0.0)
+
+
+def _on_centre_below(y: Array, z: Array, size: float) -> tuple[Array, Array]:
+    """A contour that begins below the base line begins on the centre line there, level."""
+    if y[0] > NEAR_AXIS * size:
+        return y, z
+    return np.append(0.0, np.maximum(y, 0.0)), np.append(z[0], z)
 
 
 def _deck_over(

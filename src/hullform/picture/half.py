@@ -5,13 +5,14 @@ What depends on the picture alone is prepared once; tracing is quick and can be 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from hullform.body_plan import Half
+from hullform.picture.dome import find_dome, only_contours
 from hullform.picture.finishing import finish, finish_contour
 from hullform.picture.flow import find_paths
 from hullform.picture.frame import DiagonalFrame
@@ -103,13 +104,17 @@ def prepare_half(
 
     Args:
         half: which.
-        frame: its diagonal frame.
+        frame: its diagonal frame; it is made to reach down to contours below the base line.
         ink: of the picture; bare: the same, its long lines taken off; mask: where they lay.
         depth_px: depth at side.
         deck_line: whether a level line is drawn at the depth.
     """
     here = frame.sample(bare)
     width = line_width(here)
+    dome = find_dome(bare, frame)
+    if dome.depth_px > 0:
+        frame = replace(frame, bottom_px=-dome.depth_px)
+        here = only_contours(frame.sample(bare), frame, dome)
     hidden = _widened(frame.sample_mask(mask), width)
     side_top = top_of_side(ink, frame, width)
     if side_top is not None and abs(side_top / depth_px - 1) < NEAR_DEPTH:

@@ -25,7 +25,7 @@ Ceiling = Callable[[Array], Array]
 
 STEEPEST = 0.8  # da/db: the columns follow what is steeper than 0.45, and a curve's end is uncertain
 COVERED_PX = 2.5  # so near a piece of the columns it is that piece
-SHORTEST = 0.02  # of B/2: shorter ones are strokes of letters and of junctions
+SHORTEST = 0.008  # of B/2: shorter ones are specks of junctions
 LEVEL = -0.6  # da/db of a walk inboard that rises less than 14 degrees
 LOWEST_LEVEL = 0.1  # of B/2: level lines below are flats of bottom
 LARGEST_DESCENT = -1.25  # da/db of a walk inboard: so far below level may the top of a bulb fall
@@ -38,10 +38,12 @@ class Turning:
     Attributes:
         pieces: of the transposed frame: column = rows - 1 - row, row = column.
         rows: of the frame.
+        inboard_only: (pieces,) whether a piece lies on one of the columns, which is the same line walked outboard.
     """
 
     pieces: list[Tracklet]
     rows: int
+    inboard_only: NDArray[np.bool_]
 
     def points(self, number: int) -> tuple[Array, Array]:
         """(column, row) in the frame of the points of a piece, in the order of its walk."""
@@ -84,7 +86,10 @@ def find_turning(
     # a level line is walked outboard on the columns; the top of a bulb is one that is walked inboard
     level = (peaks.slope < LEVEL) & (z > LOWEST_LEVEL * frame.half_breadth_px)
     good = leaning & inside & ~on_vertical & ~on_horizontal & (level | (covered[row, column] == 0))
-    pieces = find_tracklets(peaks.chosen(good))
     least = SHORTEST * frame.half_breadth_px
-    return Turning([piece for piece in pieces if len(piece.column) >= least], rows)
+    pieces = [piece for piece in find_tracklets(peaks.chosen(good)) if len(piece.column) >= least]
+    inboard_only = [
+        bool(covered[rows - 1 - piece.column, np.round(piece.row).astype(np.int64)].mean() > 0.5) for piece in pieces
+    ]
+    return Turning(pieces, rows, np.array(inboard_only, dtype=np.bool_))
 
