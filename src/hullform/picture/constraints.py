@@ -19,19 +19,23 @@ from hullform.picture.line_edits import (
     Straight,
     crossed,
     cut,
+    distances_to,
     end_of,
     joined,
     start_of,
+    turning_cut,
     under,
     without_run,
 )
 from hullform.picture.placing import REACH, Placed
 from hullform.picture.ridges import Tracklet
+from hullform.picture.turning import Turning
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 ORDER = (Deleted, Cut, Crossing, Joined, RunTogether)  # the later ones refer to what the earlier ones leave
+SAME_LINE_PX = 2.0  # pieces that lie so much farther from a point than the nearest one are of the same line
 CLEARANCE_PX = 2.5  # no link passes nearer to a cut
 COST_AT_CUT = 25.0  # of a curve that begins or ends where a person cut a line, px of ink
 LONGEST_GAP = 0.09  # of B/2: over which a curve may be led that a person cuts
@@ -45,6 +49,15 @@ class Links:
     target: Indices
     cost: Array
     least: Indices
+
+    def with_others(self, source: Indices, target: Indices, cost: Array) -> Links:
+        """These and further links that no curve need pass."""
+        return Links(
+            np.append(self.source, source),
+            np.append(self.target, target),
+            np.append(self.cost, cost),
+            np.append(self.least, np.zeros(len(cost), dtype=np.int64)),
+        )
 
 
 @dataclass(frozen=True)
@@ -67,12 +80,8 @@ class Constraints:
 
     def of_links(self, tracklets: Sequence[Tracklet], source: Indices, target: Indices, cost: Array) -> Links:
         """The links that are left, with those that were made."""
-        good = np.ones(len(source), dtype=np.bool_)
         ends, starts = [end_of(t) for t in tracklets], [start_of(t) for t in tracklets]
-        if self.cuts:
-            from_at, to_at = np.array(ends)[source], np.array(starts)[target]
-            for place in self.cuts:
-                good &= _distance_to_segments(np.array(place), from_at, to_at) > CLEARANCE_PX
+        good = self.passable(np.array(ends)[source], np.array(starts)[target])
         ending, starting = ({place: number for number, place in enumerate(places)} for places in (ends, starts))
         made: dict[tuple[int, int], int] = {}
         for crossing in self.crossings:
@@ -90,6 +99,13 @@ class Constraints:
             np.append(cost[good], np.zeros(len(pairs))),
             np.append(np.zeros(int(good.sum()), dtype=np.int64), np.array(list(made.values()), dtype=np.int64)),
         )
+
+    def passable(self, start: Array, end: Array) -> NDArray[np.bool_]:
+        """Which straight links from (n, 2) places to others pass no cut."""
+        good = np.ones(len(start), dtype=np.bool_)
+        for place in self.cuts:
+            good &= _distance_to_segments(np.array(place), start, end) > CLEARANCE_PX
+        return good
 
     def at_ends(self, cost: Array, places: Sequence[Place], scale: float) -> Array:
         """Costs of beginning or ending at places, little where a person cut a line."""
@@ -109,9 +125,9 @@ UNCONSTRAINED = Constraints()
 
 
 def constrain(
-    tracklets: list[Tracklet], placed: Sequence[Placed], half_breadth_px: float
-) -> tuple[list[Tracklet], Constraints, list[str]]:
-    """The tracklets as corrected, what the flow must heed, and the ids of corrections with nothing under them."""
+    tracklets: list[Tracklet], turning: Turning, placed: Sequence[Placed], half_breadth_px: float
+) -> tuple[list[Tracklet], Turning, Constraints, list[str]]:
+    """The pieces as corrected, what the flow must heed, and the ids of corrections with nothing under them."""
     cuts: list[Place] = []
     loose: list[Place] = []
     joins: list[tuple[Place, Place]] = []
@@ -122,10 +138,16 @@ def constrain(
     for item in sorted(lines, key=lambda item: ORDER.index(type(item.correction))):
         places = [(float(c), float(r)) for c, r in item.at]
         found = [under(tracklets, place) for place in places]
-        heeded = all(at.distance_px <= REACH * half_breadth_px for at in found)
+        reach = REACH * half_breadth_px
+        heeded = all(at.distance_px <= reach for at in found)
         match item.correction:
             case Cut():
-                if heeded:
+                leaning = distances_to(turning, places[0])
+                if leaning.min(initial=np.inf) < min(found[0].distance_px, reach):
+                    turning, place = turning_cut(turning, places[0])
+                    cuts.append(place)
+                    heeded = True
+                elif heeded:
                     line = tracklets[found[0].tracklet]
                     cuts.append((float(line.column[found[0].peak]), float(line.row[found[0].peak])))
                     tracklets, ends = cut(tracklets, found[0])
@@ -133,8 +155,14 @@ def constrain(
                 else:
                     cuts.append(places[0])
                     heeded = _in_gap(tracklets, places[0], half_breadth_px)
-            case Deleted() if heeded:
-                tracklets = without_run(tracklets, found[0].tracklet, half_breadth_px)
+            case Deleted():
+                # a line that leans back is also a piece of the other kind, or of that kind alone
+                leaning = distances_to(turning, places[0])
+                line_px = min(found[0].distance_px, float(leaning.min(initial=np.inf)))
+                if found[0].distance_px <= min(line_px + SAME_LINE_PX, reach):
+                    tracklets = without_run(tracklets, found[0].tracklet, half_breadth_px)
+                turning = turning.chosen(leaning > min(line_px + SAME_LINE_PX, reach))
+                heeded = line_px <= reach
             case Crossing() if heeded:
                 arms, straight = crossed(tracklets, places[0], half_breadth_px)
                 heeded = len(straight.pairs) > 0 and len(straight.inward) + len(straight.outward) > 2
@@ -151,7 +179,7 @@ def constrain(
         if not heeded:
             unheeded.append(item.correction.id)
     made = Constraints(tuple(cuts), tuple(loose), tuple(joins), tuple(crossings), tuple(together))
-    return tracklets, made, unheeded
+    return tracklets, turning, made, unheeded
 
 
 def _in_gap(tracklets: Sequence[Tracklet], at: Place, half_breadth_px: float) -> bool:

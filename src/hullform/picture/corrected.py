@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
 from hullform.corrections import DeckEdge, Ignored
-from hullform.picture.half import HalfInk, pieces_of_curve
+from hullform.picture.half import HalfInk, with_pieces
 from hullform.picture.placing import Placed
 from hullform.picture.sheer import SheerLine
 
@@ -40,8 +40,7 @@ def correct_ink(prepared: HalfInk, placed: Sequence[Placed]) -> tuple[HalfInk, s
             sheer, flank = drawn, DRAWN_FLANK_PX
     if not heeded:
         return prepared, heeded
-    corrected = replace(prepared, ink=ink, peaks=peaks, sheer=sheer)
-    return replace(corrected, tracklets=pieces_of_curve(corrected, flank)), heeded
+    return with_pieces(replace(prepared, ink=ink, peaks=peaks, sheer=sheer), flank), heeded
 
 
 def _deck_edge(yz: Array, half_breadth_px: float) -> SheerLine | None:

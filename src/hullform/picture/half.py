@@ -15,10 +15,11 @@ from numpy.typing import NDArray
 from hullform.body_plan import Half
 from hullform.corrections import Drawn, Knuckle
 from hullform.picture.constraints import constrain
-from hullform.picture.finishing import finish
+from hullform.picture.dome import find_dome, only_contours
+from hullform.picture.finishing import finish, finish_contour
 from hullform.picture.flow import find_paths
 from hullform.picture.frame import DiagonalFrame
-from hullform.picture.hand_drawn import course, rank_among, without_ink_of
+from hullform.picture.hand_drawn import course, rank_among, without_ink_of, without_turning_ink_of
 from hullform.picture.ink import Ink
 from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
 from hullform.picture.placing import REACH, Placed
@@ -34,6 +35,8 @@ from hullform.picture.ridges import (
 from hullform.picture.sheer import SheerLine, find_sheer
 from hullform.picture.side import top_of_side
 from hullform.picture.smoothing import Trace, smooth_traces
+from hullform.picture.turning import Turning, find_turning
+from hullform.picture.winding import Pieces, ends_at_centre
 
 Array = NDArray[np.float64]
 
@@ -49,6 +52,14 @@ HIDDEN_BY_GRID = 0.7  # share of a curve that can be seen through a close grid: 
 
 
 @dataclass(frozen=True, eq=False)
+class Contour:
+    """(n, 2) [y, z] of a curve, px of the drawing, from its lower end on, and the confidence 0..1 in it."""
+
+    points: Array
+    confidence: float
+
+
+@dataclass(frozen=True, eq=False)
 class HalfReading:
     """The curves of one half, from the centre line outwards.
 
@@ -57,8 +68,8 @@ class HalfReading:
         confidences: 0..1 of each.
         sheer: the deck edge, or None where none was found.
         unlisted: by how many the curves are more than the stations that are listed.
-        drawn: which of the curves were drawn by hand, and the station of each, m.
-        second_contours: station, m, and points as in `curves` of second contours drawn by hand.
+        loops: contours that come back to the centre line, from the innermost outwards, then second contours by hand.
+        drawn: which of the curves were drawn by hand, and the station of each, m; `drawn_loops`: of the loops.
         unused: (n, 2) [y, z] of lines that no curve took.
         unheeded: ids of the corrections that changed nothing.
     """
@@ -70,8 +81,9 @@ class HalfReading:
     sheer: SheerLine | None
     line_width_px: float
     unlisted: int = 0
+    loops: tuple[Contour, ...] = ()
     drawn: tuple[tuple[int, float], ...] = ()
-    second_contours: tuple[tuple[float, Array], ...] = ()
+    drawn_loops: tuple[tuple[int, float], ...] = ()
     unused: tuple[Array, ...] = ()
     unheeded: tuple[str, ...] = ()
 
@@ -90,7 +102,8 @@ class HalfInk:
         deck_level_px: height of a level deck line at the depth, or None where none is drawn.
         side_top_px: height to which stations run along the line of B/2, or None where none does.
         sheer: the deck edge, or None where none was found.
-        peaks: of the ridges that may be curves; `tracklets`: pieces of curve, of the peaks below the deck edge.
+        peaks: of the ridges that may be curves.
+        tracklets: pieces of curve, of the peaks below the deck edge; turning: those that lean back.
     """
 
     half: Half
@@ -105,6 +118,7 @@ class HalfInk:
     sheer: SheerLine | None
     peaks: Peaks
     tracklets: list[Tracklet]
+    turning: Turning
 
 
 def prepare_half(
@@ -114,13 +128,17 @@ def prepare_half(
 
     Args:
         half: which.
-        frame: its diagonal frame.
+        frame: its diagonal frame; it is made to reach down to contours below the base line.
         ink: of the picture; bare: the same, its long lines taken off; mask: where they lay.
         depth_px: depth at side.
         deck_line: whether a level line is drawn at the depth.
     """
     here = frame.sample(bare)
     width = line_width(here)
+    dome = find_dome(bare, frame)
+    if dome.depth_px > 0:
+        frame = replace(frame, bottom_px=-dome.depth_px)
+        here = only_contours(frame.sample(bare), frame, dome)
     hidden = _widened(frame.sample_mask(mask), width)
     side_top = top_of_side(ink, frame, width)
     if side_top is not None and abs(side_top / depth_px - 1) < NEAR_DEPTH:
@@ -129,17 +147,19 @@ def prepare_half(
     peaks = find_peaks(here, width)
     peaks = peaks.chosen(usable(peaks, hidden, frame))
     level = depth_px if deck_line else None
-    prepared = HalfInk(half, frame, here, hidden, width, width, depth_px, level, side_top, sheer, peaks, [])
-    tracklets = pieces_of_curve(prepared)
-    single = float(np.percentile(np.concatenate([t.width for t in tracklets]), 35)) if tracklets else width
-    return replace(prepared, single_px=single, tracklets=tracklets)
+    no_pieces = Turning([], here.shape[0], np.zeros(0, dtype=np.bool_))
+    prepared = with_pieces(
+        HalfInk(half, frame, here, hidden, width, width, depth_px, level, side_top, sheer, peaks, [], no_pieces)
+    )
+    widths = [tracklet.width for tracklet in prepared.tracklets]
+    return replace(prepared, single_px=float(np.percentile(np.concatenate(widths), 35)) if widths else width)
 
 
-def pieces_of_curve(prepared: HalfInk, flank_px: float | None = None) -> list[Tracklet]:
-    """The tracklets of a half below its deck edge.
+def with_pieces(prepared: HalfInk, flank_px: float | None = None) -> HalfInk:
+    """A half with its pieces of curve found anew, below its deck edge.
 
     Args:
-        prepared: the half; its tracklets are not looked at.
+        prepared: the half; its pieces are not looked at.
         flank_px: how near the deck edge flat ridges are the deck edge.
     """
     peaks, sheer, depth_px = prepared.peaks, prepared.sheer, prepared.depth_px
@@ -152,7 +172,15 @@ def pieces_of_curve(prepared: HalfInk, flank_px: float | None = None) -> list[Tr
     else:
         on_deck = (z > DECK_ZONE * depth_px) & (peaks.slope > LEVEL_SLOPE)
         above = z > (1.01 if prepared.deck_level_px is not None else 1.6) * depth_px
-    return without_hair_lines(find_tracklets(peaks.chosen(~(on_deck | above))))
+    tracklets = without_hair_lines(find_tracklets(peaks.chosen(~(on_deck | above))))
+
+    def ceiling(half_breadth: Array) -> Array:
+        if sheer is not None:
+            return sheer.at(half_breadth) - SHEER_FLANK_PX
+        return np.full(np.shape(half_breadth), DECK_ZONE * depth_px)
+
+    turning = find_turning(prepared.ink, prepared.hidden, tracklets, prepared.frame, prepared.line_width_px, ceiling)
+    return replace(prepared, tracklets=tracklets, turning=turning)
 
 
 def trace_half(
@@ -171,13 +199,15 @@ def trace_half(
     """
     here, frame, sheer, tracklets = prepared.ink, prepared.frame, prepared.sheer, prepared.tracklets
     side_top, width, size = prepared.side_top_px, prepared.line_width_px, prepared.frame.half_breadth_px
+    turning = prepared.turning
     by_hand = {}
     for item in placed:
         if isinstance(item.correction, Drawn):
             curve = course(item.yz, item.correction.smooth, size)
             by_hand[item.correction.curve, item.correction.station_m] = curve
             tracklets = without_ink_of(curve, tracklets, frame, prepared.single_px)
-    tracklets, constraints, unheeded = constrain(tracklets, placed, size)
+            turning = without_turning_ink_of(curve, turning, frame, prepared.single_px)
+    tracklets, turning, constraints, unheeded = constrain(tracklets, turning, placed, size)
     whole = sorted((station, curve) for (number, station), curve in by_hand.items() if number == 0)
     ends = np.array([(t.column[-1], t.row[-1]) for t in tracklets], dtype=np.float64).reshape(-1, 2)
     end_y, _ = frame.to_drawing(ends[:, 0], ends[:, 1])
@@ -193,10 +223,12 @@ def trace_half(
         most - len(whole),
         seeds,
         side_top,
+        turning,
         constraints,
     )
     knuckles = [item for item in placed if isinstance(item.correction, Knuckle)]
-    traces = smooth_traces(paths, tracklets, prepared.single_px, frame, [tuple(item.at[0]) for item in knuckles])
+    pieces = Pieces(tracklets, turning)
+    traces = smooth_traces(paths, pieces, prepared.single_px, frame, [tuple(item.at[0]) for item in knuckles])
     corners = [np.array(trace.corners).reshape(-1, 2) for trace in traces]
     unheeded += [
         item.correction.id
@@ -204,39 +236,42 @@ def trace_half(
         if not any((np.hypot(*(at - item.at[0]).T) < 2 * REACH * size).any() for at in corners)
     ]
     level = prepared.deck_level_px
-    curves = [
-        _evenly(
-            np.column_stack(finish(trace, frame, here, sheer, level, side_top)),
-            np.column_stack(frame.to_drawing(at[:, 0], at[:, 1])),
-        )
-        for trace, at in zip(traces, corners, strict=True)
-    ]
-    confidences = [_confidence(trace) for trace in traces]
+    curves: list[Contour] = []
+    loops: list[Contour] = []
+    for trace, at in zip(traces, corners, strict=True):
+        confidence = _confidence(trace)
+        if trace.winds and ends_at_centre(frame.to_drawing(trace.column, trace.row)[0], size):
+            points = np.column_stack(finish_contour(trace, frame))
+            loops.append(Contour(_evenly(points), confidence))
+            continue
+        points = np.column_stack(finish(trace, frame, here, sheer, level, side_top))
+        curves.append(Contour(_evenly(points, np.column_stack(frame.to_drawing(at[:, 0], at[:, 1]))), confidence))
+    unlisted = max(0, unlisted - len(loops))
     # from the centre line outwards, as the half shows its stations
     drawn: list[tuple[int, float]] = []
     for station, curve in whole if prepared.half == "aft" else whole[::-1]:
-        rank = max(rank_among(curve, curves, frame), drawn[-1][0] + 1 if drawn else 0)
-        curves.insert(rank, _evenly(curve))
-        confidences.insert(rank, 1.0)
+        rank = max(rank_among(curve, [other.points for other in curves], frame), drawn[-1][0] + 1 if drawn else 0)
+        curves.insert(rank, Contour(_evenly(curve), 1.0))
         drawn.append((rank, station))
-    taken = {piece for path in paths for piece in path.tracklets}
-    unused = tuple(
-        np.column_stack(frame.to_drawing(t.column.astype(np.float64), t.row))
-        for number, t in enumerate(tracklets)
-        if number not in taken and len(t.column) >= SHORTEST_UNUSED_PX
-    )
-    second = tuple((station, _evenly(curve)) for (number, station), curve in by_hand.items() if number == 1)
+    second = [(station, curve) for (number, station), curve in by_hand.items() if number == 1]
+    drawn_loops = tuple((len(loops) + place, station) for place, (station, _) in enumerate(second))
+    loops += [Contour(_evenly(curve), 1.0) for _, curve in second]
     return HalfReading(
         prepared.half,
         frame,
-        tuple(curves),
-        tuple(confidences),
+        tuple(curve.points for curve in curves),
+        tuple(curve.confidence for curve in curves),
         sheer,
         width,
         unlisted,
+        tuple(loops),
         tuple(drawn),
-        second,
-        unused,
+        drawn_loops,
+        tuple(
+            np.column_stack(frame.to_drawing(*line))
+            for line in pieces.unused(paths)
+            if len(line[0]) >= SHORTEST_UNUSED_PX
+        ),
         tuple(unheeded),
     )
 

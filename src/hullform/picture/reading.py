@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from hullform.body_plan import BodyPlan, Calibration, Half, Station, TracedCurve
 from hullform.corrections import Correction, Drawn
 from hullform.errors import PictureError
+from hullform.picture.contours import NO_LOOP, marks_on_loops, pair_loops
 from hullform.picture.corrected import correct_ink
 from hullform.picture.doubts import (
     NamedHalf,
@@ -150,6 +151,10 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
                 f"stations ({half}_stations_m); "
                 "check aft_side, breadth_m, depth_m and the calibration, or give a clearer picture"
             )
+        loops = [loop.points for loop in reading.loops]
+        all_marks = {mark.mark for mark in marks}
+        marks, chosen = marks_on_loops(marks, reading.curves, loops, frame.half_breadth_px)
+        marks_of_loops = all_marks - {mark.mark for mark in marks}
         marks, doubts_of_places = near_curves(marks, reading.curves, frame.half_breadth_px)
         at = [(mark.station, mark.y_px, mark.z_px) for mark in marks]
         assigned = assign_stations(
@@ -159,12 +164,21 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
             mark_distances(reading.curves, at, len(names)),
             [(_index(inner_first, x), number) for number, x in reading.drawn],
         )
-        used_marks |= {mark.mark for mark in marks}
+        named_curves = [None if number == NO_CURVE else reading.curves[number] for number in assigned]
+        second = pair_loops(
+            loops,
+            named_curves,
+            frame.half_breadth_px,
+            [*((_index(inner_first, x), number) for number, x in reading.drawn_loops), *chosen],
+        )
+        used_marks |= {mark.mark for mark in marks} | marks_of_loops
         of_lines |= set(reading.unheeded)
-        named_here, doubts_here = _stations(reading, inner_first, assigned, notes, doubts)
+        named_here, doubts_here = _stations(reading, inner_first, assigned, second, notes, doubts)
         stations += named_here
         station_doubts += doubts_here
-        curves += seen_curves(reading, _by_curve(inner_first, assigned), sheet.reduction)
+        curves += seen_curves(
+            reading, _by_curve(inner_first, assigned), _by_curve(inner_first, second), sheet.reduction
+        )
         unused += unused_lines(reading, sheet.reduction)
         doubts += [doubt.text for doubt in doubts_here] + doubts_of_marks + doubts_of_places
         doubts += unheeded(marks, reading.curves, assigned, frame.half_breadth_px)
@@ -217,29 +231,39 @@ def _by_curve(inner_first: tuple[float, ...], assigned: list[int]) -> dict[int, 
 
 
 def _stations(
-    reading: HalfReading, inner_first: tuple[float, ...], assigned: list[int], notes: list[str], doubts: list[str]
+    reading: HalfReading,
+    inner_first: tuple[float, ...],
+    assigned: list[int],
+    second: list[int],
+    notes: list[str],
+    doubts: list[str],
 ) -> tuple[list[Station], list[StationDoubt]]:
     """The stations of a half with their curves in metres, and which are not sure; reports what was shared."""
     scale = reading.frame.metres_per_px
     curves = []
     for points, confidence in zip(reading.curves, reading.confidences, strict=True):
         curves.append(TracedCurve(points[:, 0] * scale, points[:, 1] * scale, confidence))
-    second = {
-        _index(inner_first, x): TracedCurve(points[:, 0] * scale, points[:, 1] * scale)
-        for x, points in reading.second_contours
-    }
+    loops = [
+        TracedCurve(loop.points[:, 0] * scale, loop.points[:, 1] * scale, loop.confidence) for loop in reading.loops
+    ]
     stations: list[Station] = []
     unsure: list[StationDoubt] = []
-    for place, (x, number) in enumerate(zip(inner_first, assigned, strict=True)):
-        further = (second[place],) if place in second else ()
+    for x, number, loop in zip(inner_first, assigned, second, strict=True):
+        contour = () if loop == NO_LOOP else (loops[loop],)
+        if number == NO_CURVE and contour:
+            stations.append(Station(x, reading.half, contour))
+            text = (
+                f"station {x:g} m ({reading.half} half): only a contour that closes on the centre line was found; "
+                "mark a point of its other contour in [[body_plan.marks]]"
+            )
+            unsure.append(StationDoubt(x, reading.half, text))
+            continue
         if number == NO_CURVE:
             text = f"station {x:g} m ({reading.half} half): not found; mark a point of its curve in [[body_plan.marks]]"
             unsure.append(StationDoubt(x, reading.half, text))
-            if further:
-                stations.append(Station(x, reading.half, further))
             continue
         others = tuple(sorted(o for o, n in zip(inner_first, assigned, strict=True) if n == number and o != x))
-        stations.append(Station(x, reading.half, (curves[number], *further), shared_with_m=others))
+        stations.append(Station(x, reading.half, (curves[number], *contour), shared_with_m=others))
         if curves[number].confidence < LOW_CONFIDENCE:
             text = (
                 f"station {x:g} m ({reading.half} half): traced with confidence {curves[number].confidence:.2f}; "

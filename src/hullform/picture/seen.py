@@ -56,13 +56,16 @@ class StationDoubt:
 
 
 def seen_curves(
-    reading: HalfReading, stations: Mapping[int, Sequence[float]], reduction: Reduction
+    reading: HalfReading,
+    stations: Mapping[int, Sequence[float]],
+    stations_of_loops: Mapping[int, Sequence[float]],
+    reduction: Reduction,
 ) -> tuple[SeenCurve, ...]:
-    """The curves of a half, from the centre line outwards, then the second contours that were drawn.
+    """The curves of a half, from the centre line outwards, then the second contours.
 
     Args:
         reading: of the half.
-        stations: x of the stations of each curve.
+        stations: x of the stations of each curve; stations_of_loops: of each second contour.
         reduction: of the picture that was read.
     """
     by_hand = {number for number, _ in reading.drawn}
@@ -77,9 +80,17 @@ def seen_curves(
         )
         for number, (curve, confidence) in enumerate(zip(reading.curves, reading.confidences, strict=True))
     ]
+    loops_by_hand = {number for number, _ in reading.drawn_loops}
     second = [
-        SeenCurve(reading.half, stored_of_drawing(curve, reading.frame, reduction), (station,), 1, 1.0, True)
-        for station, curve in reading.second_contours
+        SeenCurve(
+            reading.half,
+            stored_of_drawing(loop.points, reading.frame, reduction),
+            tuple(sorted(stations_of_loops.get(number, ()))),
+            1,
+            loop.confidence,
+            number in loops_by_hand,
+        )
+        for number, loop in enumerate(reading.loops)
     ]
     return (*first, *second)
 
