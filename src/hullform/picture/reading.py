@@ -20,6 +20,7 @@ from hullform.picture.doubts import (
 from hullform.picture.half import HalfReading, trace_half
 from hullform.picture.image_files import Picture
 from hullform.picture.input_check import check_input
+from hullform.picture.likeness import explained
 from hullform.picture.marks import near_curves, place_marks, unheeded
 from hullform.picture.naming import NO_CURVE, assign_stations, half_breadths_at, mark_distances
 from hullform.picture.reduction import Reduction
@@ -85,7 +86,9 @@ def read_picture(ship: Ship) -> PictureReading:
     review = read_review(ship)
     if review is not None:
         ship = review.applied_to(ship)
-    return read_sheet(prepare_sheet(ship), ship)
+    sheet = prepare_sheet(ship)
+    with explained(str(sheet.path), sheet.ink, ship.particulars.breadth_m, ship.particulars.depth_m):
+        return read_sheet(sheet, ship)
 
 
 def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
