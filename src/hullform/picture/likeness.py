@@ -133,8 +133,8 @@ def _rise(bare: Ink, half: HalfInk) -> float:
 def _share_of_small(drawn: NDArray[np.uint8], size_px: float) -> float:
     """Share of the drawn pixels that lie in pieces smaller than a size."""
     _, _, found, _ = cv2.connectedComponentsWithStats(drawn, connectivity=8)
-    statistics = found[1:]
-    sides = (cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT)
+    statistics = np.asarray(found[1:], dtype=np.float64)
+    sides = [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]
     small = statistics[:, sides].max(axis=1) < size_px
     areas = statistics[:, cv2.CC_STAT_AREA]
     return float(areas[small].sum() / max(1, int(areas.sum())))
