@@ -122,8 +122,8 @@ def _rise(bare: Ink, half: HalfInk) -> float:
     y, z = np.meshgrid(np.arange(AXIS * size, size), np.arange(AXIS * depth, depth))
     u, v = frame.to_picture(y.ravel(), z.ravel())
     smooth = cv2.GaussianBlur(bare, (0, 0), EDGE_BLUR_PX)
-    product = cv2.Sobel(smooth, cv2.CV_32F, 1, 0) * cv2.Sobel(smooth, cv2.CV_32F, 0, 1) * frame.side
-    product = cv2.GaussianBlur(product, (0, 0), ORIENTATION_BLUR_PX)
+    gradients = cv2.Sobel(smooth, cv2.CV_32F, 1, 0) * cv2.Sobel(smooth, cv2.CV_32F, 0, 1) * frame.side
+    product = cv2.GaussianBlur(gradients, (0, 0), ORIENTATION_BLUR_PX)
     here = cv2.remap(
         product, u.reshape(y.shape).astype(np.float32), v.reshape(y.shape).astype(np.float32), cv2.INTER_LINEAR
     )
