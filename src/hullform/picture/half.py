@@ -139,7 +139,8 @@ def trace_half(prepared: HalfInk, most: int, marks: tuple[tuple[float, float], .
     )
     traces = smooth_traces(paths, tracklets, prepared.single_px, frame)
     level = prepared.deck_level_px
-    curves = tuple(_evenly(np.column_stack(finish(trace, frame, here, sheer, level, side_top))) for trace in traces)
+    finished = [finish(trace, frame, here, prepared.hidden, sheer, level, side_top) for trace in traces]
+    curves = tuple(_evenly(np.column_stack(curve)) for curve in finished)
     confidences = tuple(_confidence(trace) for trace in traces)
     return HalfReading(prepared.half, frame, curves, confidences, sheer, width, unlisted)
 
