@@ -244,7 +244,7 @@ def trace_half(
             points = np.column_stack(finish_contour(trace, frame))
             loops.append(Contour(_evenly(points), confidence))
             continue
-        points = np.column_stack(finish(trace, frame, here, sheer, level, side_top))
+        points = np.column_stack(finish(trace, frame, here, prepared.hidden, sheer, level, side_top))
         curves.append(Contour(_evenly(points, np.column_stack(frame.to_drawing(at[:, 0], at[:, 1]))), confidence))
     unlisted = max(0, unlisted - len(loops))
     # from the centre line outwards, as the half shows its stations
