@@ -139,7 +139,7 @@ def prepare_half(
             return sheer.at(half_breadth) - SHEER_FLANK_PX
         return np.full(np.shape(half_breadth), DECK_ZONE * depth_px)
 
-    turning = find_turning(here, hidden, tracklets, frame, width, ceiling)
+    turning = find_turning(here, hidden, tracklets, frame, width, depth_px, ceiling)
     return HalfInk(half, frame, here, hidden, width, single, depth_px, level, side_top, sheer, tracklets, turning)
 
 
