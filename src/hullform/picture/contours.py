@@ -59,8 +59,8 @@ def _starts_on_centre(curve: Array, half_breadth_px: float) -> bool:
 
 def marks_on_loops(
     marks: Sequence[PlacedMark], curves: Sequence[Array], loops: Sequence[Array], half_breadth_px: float
-) -> tuple[list[PlacedMark], list[tuple[int, int]]]:
-    """The marks that lie on curves, and (station, loop) of those that lie nearer to a loop.
+) -> tuple[list[PlacedMark], list[tuple[PlacedMark, int]]]:
+    """The marks that lie on curves, and those that lie nearer to a loop, with that loop.
 
     Args:
         marks: of a half.
@@ -72,7 +72,7 @@ def marks_on_loops(
     others, chosen = [], []
     for mark, beside, row in zip(marks, to_curves, to_loops, strict=True):
         if row.size and row.min() < min(float(beside), FARTHEST * half_breadth_px):
-            chosen.append((mark.station, int(np.argmin(row))))
+            chosen.append((mark, int(np.argmin(row))))
         else:
             others.append(mark)
     return others, chosen

@@ -66,7 +66,9 @@ def find_dome(bare: Ink, frame: DiagonalFrame) -> Dome:
     kernel = np.ones((2 * round(GAP * size / 2) + 1,) * 2, np.uint8)
     drawn = cv2.morphologyEx((below > FAINTEST).astype(np.uint8), cv2.MORPH_CLOSE, kernel)
     _, labels, boxes, _ = cv2.connectedComponentsWithStats(drawn)
-    left, top, width, height = (boxes[:, k] for k in (cv2.CC_STAT_LEFT, cv2.CC_STAT_TOP, cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT))
+    left, top, width, height = (
+        boxes[:, k] for k in (cv2.CC_STAT_LEFT, cv2.CC_STAT_TOP, cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT)
+    )
     contour = (height > HIGHEST_LETTER * size) & (left < AT_CENTRE * size) & (width > HIGHEST_LETTER / 2 * size)
     contour &= top + height < DEEPEST * size - 2
     contour[0] = False

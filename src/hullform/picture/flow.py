@@ -9,14 +9,14 @@ optimum of the linear relaxation is integral.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from heapq import heapify, heappop, heappush
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linprog
 from scipy.sparse import coo_matrix
 
-from hullform.picture.bends import find_bends
+from hullform.picture.bends import find_bends, walking_order
+from hullform.picture.constraints import UNCONSTRAINED, Constraints, Links
 from hullform.picture.ends import STEEPEST, Ends, entry_cost, exit_cost
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
@@ -30,9 +30,10 @@ from hullform.picture.joints import (
     DEAREST_LINK,
     LONGEST_GAP,
 )
+from hullform.picture.line_edits import end_of, start_of
 from hullform.picture.lines import Mask
 from hullform.picture.ridges import Tracklet
-from hullform.picture.turning import Turning
+from hullform.picture.turning import NOTHING_TURNS, Turning
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -67,7 +68,8 @@ def find_paths(
     most: int,
     marks: tuple[tuple[float, float], ...] = (),
     side_top_px: float | None = None,
-    turning: Turning | None = None,
+    constraints: Constraints = UNCONSTRAINED,
+    turning: Turning = NOTHING_TURNS,
 ) -> tuple[list[Path], int]:
     """The curves of one half, each worth more than it costs, and how many of them are more than `most`.
 
@@ -80,42 +82,45 @@ def find_paths(
         most: number of stations that the half may show.
         marks: (column, row) of points that a user put on curves.
         side_top_px: height to which the line of B/2 is drawn by stations, or None where none runs along it.
+        constraints: what the user says of links, ends and shared lines.
         turning: pieces that lean back, walked across the frame.
 
     Returns:
         the curves, and by how many they are more than listed; further ones must gain as a station does.
     """
-    if not tracklets:
+    if not tracklets or most < 1:
         return [], 0
     scale = frame.half_breadth_px / REFERENCE_PX
     first, last = Ends.of(tracklets, last=False), Ends.of(tracklets, last=True)
-    source, target, link_cost = _links(tracklets, first, last, mask, frame, scale)
-    entry = entry_cost(first, mask, frame, scale) + COST_OF_CURVE * scale
+    links = constraints.of_links(tracklets, *_links(tracklets, first, last, mask, frame, scale))
+    entry = constraints.at_ends(entry_cost(first, mask, frame, scale), [start_of(t) for t in tracklets], scale)
+    entry += COST_OF_CURVE * scale
     leave = exit_cost(last, ink, frame, top_px, side_top_px, scale)
+    leave = constraints.at_ends(leave, [end_of(t) for t in tracklets], scale)
     reward, share = _worth(tracklets, width_px)
+    share[constraints.shared(tracklets, links)] = 0.0
     for index in _marked(tracklets, marks):
         reward[index] -= REWARD_OF_MARK * scale
-    twins = 0
-    if turning is not None and turning.pieces:
+    if turning.pieces:
         bends = find_bends(tracklets, first, last, turning, mask, frame, scale)
-        twins = len(turning.pieces)
         gain, again = _worth(turning.pieces, width_px)
         for index in _marked(turning.pieces, tuple((row, turning.rows - 1.0 - column) for column, row in marks)):
             gain[index] -= REWARD_OF_MARK * scale
         reward, share = np.concatenate([reward, gain, gain]), np.concatenate([share, again, again])
         entry = np.concatenate([entry, bends.entry + COST_OF_CURVE * scale])
         leave = np.concatenate([leave, bends.leave])
-        source, target = np.concatenate([source, bends.source]), np.concatenate([target, bends.target])
-        link_cost = np.concatenate([link_cost, bends.cost])
+        links = links.with_others(bends.source, bends.target, bends.cost)
         first, last = first.with_others(bends.first), last.with_others(bends.last)
 
     def solve(units: int) -> Flow | None:
-        return _solve(reward, share, source, target, link_cost, entry, leave, units, twins)
+        return _solve(reward, share, links, entry, leave, units, len(turning.pieces))
 
-    flow = solve(most)
+    flow, unlisted = solve(most), 0
+    while flow is None and unlisted < MOST_UNLISTED:  # more lines are to be joined than there are stations
+        unlisted += 1
+        flow = solve(most + unlisted)
     if flow is None:
         return [], 0
-    unlisted = 0
     if flow.units == most:  # the bound may have kept curves out
         before = flow
         while unlisted < MOST_UNLISTED and (further := solve(most + unlisted + 1)) is not None:
@@ -123,8 +128,7 @@ def find_paths(
                 break
             unlisted, before = unlisted + 1, further
         flow = before
-    links, entries, exits = flow.links, flow.entries, flow.exits
-    walks = _decompose(first, last, frame, source, target, links, entries, exits)
+    walks = _decompose(first, last, frame, links, flow)
     ends = [float(entry[walk[0]] - COST_OF_CURVE * scale + leave[walk[-1]]) / scale for walk in walks]
     return [Path(tuple(walk), cost) for walk, cost in zip(walks, ends, strict=True)], unlisted
 
@@ -208,19 +212,16 @@ def _links(
 
 
 def _solve(
-    reward: Array,
-    share: Array,
-    source: Indices,
-    target: Indices,
-    link: Array,
-    entry: Array,
-    leave: Array,
-    most: int,
-    twins: int = 0,
+    reward: Array, share: Array, passed: Links, entry: Array, leave: Array, most: int, twins: int = 0
 ) -> Flow | None:
-    """The cheapest flow of at most `most` units; of the last 2 * `twins` nodes, one of each pair may be used."""
-    n, m = len(reward), len(link)
-    cost = np.concatenate([reward, share, link, entry, leave])
+    """The cheapest flow of at most `most` units; None where the links that must be passed need more.
+
+    The last 2 * `twins` nodes are pieces walked one way, then the same pieces walked the other way: each is used once.
+    """
+    n, m = len(reward), len(passed.cost)
+    source, target = passed.source, passed.target
+    cost = np.concatenate([reward, share, passed.cost, entry, leave])
+    lower = np.concatenate([np.zeros(2 * n), passed.least, np.zeros(2 * n)])
     upper = np.concatenate([np.ones(n), np.full(n, most - 1.0), np.full(m + 2 * n, float(most))])
     node, arc = np.arange(n), np.arange(m)
     # what comes in (links, entries) passes the tracklet (first use, shared use) and goes out (links, exits)
@@ -241,23 +242,16 @@ def _solve(
     signs = np.concatenate([np.ones(m + n), -np.ones(2 * n), np.ones(m + n), -np.ones(2 * n)])
     balance = coo_matrix((signs, (rows, columns)), shape=(2 * n, len(cost))).tocsr()
     pair = np.arange(twins)
-    bounded = coo_matrix(
-        (
-            np.ones(n + 2 * twins),
-            (
-                np.concatenate([np.zeros(n, dtype=np.int64), 1 + pair, 1 + pair]),
-                np.concatenate([entries + node, n - 2 * twins + pair, n - twins + pair]),
-            ),
-        ),
-        shape=(1 + twins, len(cost)),
-    ).tocsr()
+    bounded_rows = np.concatenate([np.zeros(n, dtype=np.int64), 1 + pair, 1 + pair])
+    bounded_columns = np.concatenate([entries + node, n - 2 * twins + pair, n - twins + pair])
+    bounded = coo_matrix((np.ones(n + 2 * twins), (bounded_rows, bounded_columns)), shape=(1 + twins, len(cost)))
     result = linprog(  # type: ignore[call-overload]  # the stubs know no sparse matrices
         cost,
-        A_ub=bounded,
+        A_ub=bounded.tocsr(),
         b_ub=np.concatenate([[float(most)], np.ones(twins)]),
         A_eq=balance,
         b_eq=np.zeros(2 * n),
-        bounds=[(0.0, float(most_here)) for most_here in upper],
+        bounds=np.column_stack([lower, upper]),
         method="highs",
     )
     if result.x is None:
@@ -266,28 +260,20 @@ def _solve(
     return Flow(x[links:entries], x[entries:exits], x[exits:], float(result.fun))
 
 
-def _decompose(
-    first: Ends,
-    last: Ends,
-    frame: DiagonalFrame,
-    source: Indices,
-    target: Indices,
-    links: Indices,
-    entries: Indices,
-    exits: Indices,
-) -> list[list[int]]:
+def _decompose(first: Ends, last: Ends, frame: DiagonalFrame, links: Links, flow: Flow) -> list[list[int]]:
     """Single curves out of the flow; where several share a tracklet they keep their order from the centre outwards."""
     n = len(first.column)
     outgoing: list[list[int]] = [[] for _ in range(n)]
-    for index in np.flatnonzero(links > 0).tolist():
-        outgoing[source[index]] += [int(target[index])] * int(links[index])
+    for index in np.flatnonzero(flow.links > 0).tolist():
+        outgoing[links.source[index]] += [int(links.target[index])] * int(flow.links[index])
     y, z = frame.to_drawing(first.column, first.row)
     edge = MARGIN_OF_ORDER * frame.half_breadth_px
     paths: list[list[int]] = []
     arriving: list[list[tuple[float, int]]] = [[] for _ in range(n)]
-    for node in _in_order(np.lexsort((last.column, first.column)), source, target, links):
+    used = flow.links > 0
+    for node in walking_order(np.lexsort((last.column, first.column)), links.source[used], links.target[used]):
         here = arriving[node]
-        for _ in range(int(entries[node])):
+        for _ in range(int(flow.entries[node])):
             # a curve that starts on the centre line lies inside, one from the base line outside
             rank = -np.inf if y[node] < edge <= z[node] else np.inf if z[node] < edge else 0.0
             here.append((float(rank), len(paths)))
@@ -296,31 +282,8 @@ def _decompose(
         for _, path in here:
             paths[path].append(node)
         # the inner ones end first, at the deck
-        going = [path for _, path in here][int(exits[node]) :]
+        going = [path for _, path in here][int(flow.exits[node]) :]
         ordered = sorted(outgoing[node], key=lambda other: float(first.row[other] + 6 * first.slope[other]))
         for position, (path, other) in enumerate(zip(going, ordered, strict=False)):
             arriving[other].append((float(last.row[node]) + 1e-3 * position, path))
     return [path for path in paths if path]
-
-
-def _in_order(preferred: Indices, source: Indices, target: Indices, links: Indices) -> list[int]:
-    """The nodes, each after those that its used links come from, else as preferred; rings are walked at the end."""
-    used = links > 0
-    place = np.empty(len(preferred), dtype=np.int64)
-    place[preferred] = np.arange(len(preferred))
-    following: list[list[int]] = [[] for _ in preferred]
-    waiting = np.zeros(len(preferred), dtype=np.int64)
-    for a, b in zip(source[used].tolist(), target[used].tolist(), strict=True):
-        following[a].append(b)
-        waiting[b] += 1
-    ready = [int(place[node]) for node in np.flatnonzero(waiting == 0)]
-    heapify(ready)
-    order = []
-    while ready:
-        node = int(preferred[heappop(ready)])
-        order.append(node)
-        for other in following[node]:
-            waiting[other] -= 1
-            if waiting[other] == 0:
-                heappush(ready, int(place[other]))
-    return order + [node for node in preferred.tolist() if waiting[node] > 0]

@@ -18,7 +18,7 @@ from hullform.picture.ends import Ends
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
 from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
-from hullform.picture.ridges import Peaks, Tracklet, find_peaks, find_tracklets
+from hullform.picture.ridges import Tracklet, find_peaks, find_tracklets
 
 Array = NDArray[np.float64]
 Ceiling = Callable[[Array], Array]
@@ -48,10 +48,15 @@ class Turning:
     rows: int
     inboard_only: NDArray[np.bool_]
 
+    def chosen(self, which: NDArray[np.bool_]) -> Turning:
+        """A part of them."""
+        kept = [piece for piece, keep in zip(self.pieces, which, strict=True) if keep]
+        return Turning(kept, self.rows, self.inboard_only[which])
+
     def points(self, number: int) -> tuple[Array, Array]:
         """(column, row) in the frame of the points of a piece, in the order of its walk."""
         piece = self.pieces[number]
-        return piece.row, self.rows - 1.0 - piece.column
+        return piece.row, (self.rows - 1 - piece.column).astype(np.float64)
 
     def ends(self, last: bool) -> Ends:
         """Column and row in the frame, and da/db, of one end of each piece."""
@@ -59,8 +64,17 @@ class Turning:
         return Ends(ends.row, self.rows - 1.0 - ends.column, ends.slope)
 
 
+NOTHING_TURNS = Turning([], 0, np.zeros(0, dtype=np.bool_))
+
+
 def find_turning(
-    ink: Ink, hidden: Mask, tracklets: list[Tracklet], frame: DiagonalFrame, width_px: float, depth_px: float, ceiling: Ceiling
+    ink: Ink,
+    hidden: Mask,
+    tracklets: list[Tracklet],
+    frame: DiagonalFrame,
+    width_px: float,
+    depth_px: float,
+    ceiling: Ceiling,
 ) -> Turning:
     """The pieces of one half that lean back.
 
@@ -100,4 +114,3 @@ def find_turning(
         no_tunnel = height.max() > HIGHEST_TUNNEL * depth_px or len(piece.column) < least_of_tunnel
         inboard_only.append(bool(on_column or no_tunnel))
     return Turning(pieces, rows, np.array(inboard_only, dtype=np.bool_))
-
