@@ -12,11 +12,10 @@ from reading_accuracy import to_polyline
 
 from hullform.corrections import Correction
 from hullform.picture.frame import DiagonalFrame
-from hullform.picture.half import HalfInk, HalfReading, trace_half, with_pieces
+from hullform.picture.half import HalfInk, HalfReading, pieces_of_curve, trace_half
 from hullform.picture.ink import ink_of
 from hullform.picture.placing import Placed
 from hullform.picture.ridges import find_peaks
-from hullform.picture.turning import Turning
 
 Array = NDArray[np.float64]
 
@@ -35,11 +34,10 @@ def half_of(lines: Sequence[Array]) -> HalfInk:
     ink = ink_of(image)
     peaks = find_peaks(ink, LINE_PX)
     hidden = np.zeros(ink.shape, np.uint8)
-    nothing = Turning([], len(ink), np.zeros(0, dtype=np.bool_))
-    half = with_pieces(
-        HalfInk("aft", FRAME, ink, hidden, LINE_PX, LINE_PX, SIZE_PX, None, None, None, peaks, [], nothing)
-    )
-    return replace(half, single_px=float(np.median(np.concatenate([line.width for line in half.tracklets]))))
+    bare = HalfInk("aft", FRAME, ink, hidden, LINE_PX, LINE_PX, SIZE_PX, None, None, None, peaks, [])
+    tracklets = pieces_of_curve(bare)
+    single = float(np.median(np.concatenate([line.width for line in tracklets])))
+    return replace(bare, single_px=single, tracklets=tracklets)
 
 
 def placed(correction: Correction) -> Placed:

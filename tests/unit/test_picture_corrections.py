@@ -175,9 +175,9 @@ def test_a_drawn_curve_is_the_curve_and_takes_its_ink() -> None:
     assert reading.confidences[0] == 1.0
     # a cubic through nine points of a half circle misses it by 0.4 px, by the step of 22 degrees
     assert misses(reading.curves[0], bulb).max() < 1.0
-    ((number, station),) = reading.drawn_loops
+    ((station, second),) = reading.second_contours
     assert station == 1.0
-    assert misses(reading.loops[number].points, flare).max() < 2.0
+    assert misses(second, flare).max() < 2.0
     # what is left is the other station alone
     assert len(reading.curves) == 2
     assert misses(reading.curves[1], outer).max() < ON_LINE_PX

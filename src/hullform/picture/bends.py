@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from heapq import heapify, heappop, heappush
 
 import numpy as np
 from numpy.typing import NDArray
@@ -110,3 +111,24 @@ def _at_centre(ends: Ends, frame: DiagonalFrame, scale: float, dearest: float) -
     y, _ = frame.to_drawing(ends.column, ends.row)
     away, reach = np.abs(y), REACH_OF_KEEL_PX * scale
     return np.where(away < reach, 0.3 * away, np.minimum(3 + 4 * (away - reach), dearest * scale))
+
+
+def walking_order(preferred: Indices, source: Indices, target: Indices) -> list[int]:
+    """The nodes, each after those that links lead from to it, else as preferred; those of rings come last."""
+    place = np.empty(len(preferred), dtype=np.int64)
+    place[preferred] = np.arange(len(preferred))
+    following: list[list[int]] = [[] for _ in preferred]
+    waiting = np.bincount(target, minlength=len(preferred))
+    for a, b in zip(source.tolist(), target.tolist(), strict=True):
+        following[a].append(b)
+    ready = [int(place[node]) for node in np.flatnonzero(waiting == 0)]
+    heapify(ready)
+    order = []
+    while ready:
+        node = int(preferred[heappop(ready)])
+        order.append(node)
+        for other in following[node]:
+            waiting[other] -= 1
+            if waiting[other] == 0:
+                heappush(ready, int(place[other]))
+    return order + [node for node in preferred.tolist() if waiting[node] > 0]

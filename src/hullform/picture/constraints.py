@@ -19,23 +19,19 @@ from hullform.picture.line_edits import (
     Straight,
     crossed,
     cut,
-    distances_to,
     end_of,
     joined,
     start_of,
-    turning_cut,
     under,
     without_run,
 )
 from hullform.picture.placing import REACH, Placed
 from hullform.picture.ridges import Tracklet
-from hullform.picture.turning import Turning
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 ORDER = (Deleted, Cut, Crossing, Joined, RunTogether)  # the later ones refer to what the earlier ones leave
-SAME_LINE_PX = 2.0  # pieces that lie so much farther from a point than the nearest one are of the same line
 CLEARANCE_PX = 2.5  # no link passes nearer to a cut
 COST_AT_CUT = 25.0  # of a curve that begins or ends where a person cut a line, px of ink
 LONGEST_GAP = 0.09  # of B/2: over which a curve may be led that a person cuts
@@ -51,12 +47,12 @@ class Links:
     least: Indices
 
     def with_others(self, source: Indices, target: Indices, cost: Array) -> Links:
-        """These and further links that no curve need pass."""
+        """These links, then others that no curve must go."""
         return Links(
             np.append(self.source, source),
             np.append(self.target, target),
             np.append(self.cost, cost),
-            np.append(self.least, np.zeros(len(cost), dtype=np.int64)),
+            np.append(self.least, np.zeros(len(source), dtype=np.int64)),
         )
 
 
@@ -125,9 +121,9 @@ UNCONSTRAINED = Constraints()
 
 
 def constrain(
-    tracklets: list[Tracklet], turning: Turning, placed: Sequence[Placed], half_breadth_px: float
-) -> tuple[list[Tracklet], Turning, Constraints, list[str]]:
-    """The pieces as corrected, what the flow must heed, and the ids of corrections with nothing under them."""
+    tracklets: list[Tracklet], placed: Sequence[Placed], half_breadth_px: float
+) -> tuple[list[Tracklet], Constraints, list[str]]:
+    """The tracklets as corrected, what the flow must heed, and the ids of corrections with nothing under them."""
     cuts: list[Place] = []
     loose: list[Place] = []
     joins: list[tuple[Place, Place]] = []
@@ -138,16 +134,10 @@ def constrain(
     for item in sorted(lines, key=lambda item: ORDER.index(type(item.correction))):
         places = [(float(c), float(r)) for c, r in item.at]
         found = [under(tracklets, place) for place in places]
-        reach = REACH * half_breadth_px
-        heeded = all(at.distance_px <= reach for at in found)
+        heeded = all(at.distance_px <= REACH * half_breadth_px for at in found)
         match item.correction:
             case Cut():
-                leaning = distances_to(turning, places[0])
-                if leaning.min(initial=np.inf) < min(found[0].distance_px, reach):
-                    turning, place = turning_cut(turning, places[0])
-                    cuts.append(place)
-                    heeded = True
-                elif heeded:
+                if heeded:
                     line = tracklets[found[0].tracklet]
                     cuts.append((float(line.column[found[0].peak]), float(line.row[found[0].peak])))
                     tracklets, ends = cut(tracklets, found[0])
@@ -155,14 +145,8 @@ def constrain(
                 else:
                     cuts.append(places[0])
                     heeded = _in_gap(tracklets, places[0], half_breadth_px)
-            case Deleted():
-                # a line that leans back is also a piece of the other kind, or of that kind alone
-                leaning = distances_to(turning, places[0])
-                line_px = min(found[0].distance_px, float(leaning.min(initial=np.inf)))
-                if found[0].distance_px <= min(line_px + SAME_LINE_PX, reach):
-                    tracklets = without_run(tracklets, found[0].tracklet, half_breadth_px)
-                turning = turning.chosen(leaning > min(line_px + SAME_LINE_PX, reach))
-                heeded = line_px <= reach
+            case Deleted() if heeded:
+                tracklets = without_run(tracklets, found[0].tracklet, half_breadth_px)
             case Crossing() if heeded:
                 arms, straight = crossed(tracklets, places[0], half_breadth_px)
                 heeded = len(straight.pairs) > 0 and len(straight.inward) + len(straight.outward) > 2
@@ -179,7 +163,7 @@ def constrain(
         if not heeded:
             unheeded.append(item.correction.id)
     made = Constraints(tuple(cuts), tuple(loose), tuple(joins), tuple(crossings), tuple(together))
-    return tracklets, turning, made, unheeded
+    return tracklets, made, unheeded
 
 
 def _in_gap(tracklets: Sequence[Tracklet], at: Place, half_breadth_px: float) -> bool:

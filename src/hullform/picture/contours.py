@@ -7,7 +7,7 @@ the station next to the ones that are still one curve.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,7 @@ def pair_loops(
     curves: Sequence[Array | None],
     half_breadth_px: float,
     chosen: Sequence[tuple[int, int]] = (),
+    drawn: Collection[int] = (),
 ) -> list[int]:
     """The loop of each station, or -1.
 
@@ -34,6 +35,7 @@ def pair_loops(
         curves: of each station from the centre line outwards, the curve that it got, or None.
         half_breadth_px: B/2.
         chosen: (station, loop) that the user's marks say; these go before the order.
+        drawn: stations whose second contour a person drew: no loop is theirs.
     """
     out = [NO_LOOP] * len(curves)
     free = list(range(len(loops)))
@@ -44,6 +46,7 @@ def pair_loops(
     two = [curve is None or _starts_on_centre(curve, half_breadth_px) for curve in curves]
     # a station that was not found may be its loop alone only where none outside of it is drawn as one curve
     waiting = [s for s, c in enumerate(curves) if two[s] and out[s] == NO_LOOP and (c is not None or all(two[:s]))]
+    waiting = [s for s in waiting if s not in drawn]
     for loop in free[::-1]:
         top = float(loops[loop][:, 1].max()) - OVERLAP * half_breadth_px
         fits = [s for s in waiting if (curve := curves[s]) is None or float(curve[0, 1]) > top]
@@ -59,8 +62,8 @@ def _starts_on_centre(curve: Array, half_breadth_px: float) -> bool:
 
 def marks_on_loops(
     marks: Sequence[PlacedMark], curves: Sequence[Array], loops: Sequence[Array], half_breadth_px: float
-) -> tuple[list[PlacedMark], list[tuple[int, int]]]:
-    """The marks that lie on curves, and (station, loop) of those that lie nearer to a loop.
+) -> tuple[list[PlacedMark], list[tuple[PlacedMark, int]]]:
+    """The marks that lie on curves, and those that lie nearer to a loop, with that loop.
 
     Args:
         marks: of a half.
@@ -72,7 +75,7 @@ def marks_on_loops(
     others, chosen = [], []
     for mark, beside, row in zip(marks, to_curves, to_loops, strict=True):
         if row.size and row.min() < min(float(beside), FARTHEST * half_breadth_px):
-            chosen.append((mark.station, int(np.argmin(row))))
+            chosen.append((mark, int(np.argmin(row))))
         else:
             others.append(mark)
     return others, chosen

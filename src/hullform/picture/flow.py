@@ -9,14 +9,13 @@ optimum of the linear relaxation is integral.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from heapq import heapify, heappop, heappush
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linprog
 from scipy.sparse import coo_matrix
 
-from hullform.picture.bends import find_bends
+from hullform.picture.bends import find_bends, walking_order
 from hullform.picture.constraints import UNCONSTRAINED, Constraints, Links
 from hullform.picture.ends import STEEPEST, Ends, entry_cost, exit_cost
 from hullform.picture.frame import DiagonalFrame
@@ -34,7 +33,7 @@ from hullform.picture.joints import (
 from hullform.picture.line_edits import end_of, start_of
 from hullform.picture.lines import Mask
 from hullform.picture.ridges import Tracklet
-from hullform.picture.turning import Turning
+from hullform.picture.turning import NOTHING_TURNS, Turning
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -69,8 +68,8 @@ def find_paths(
     most: int,
     marks: tuple[tuple[float, float], ...] = (),
     side_top_px: float | None = None,
-    turning: Turning | None = None,
     constraints: Constraints = UNCONSTRAINED,
+    turning: Turning = NOTHING_TURNS,
 ) -> tuple[list[Path], int]:
     """The curves of one half, each worth more than it costs, and how many of them are more than `most`.
 
@@ -83,8 +82,8 @@ def find_paths(
         most: number of stations that the half may show.
         marks: (column, row) of points that a user put on curves.
         side_top_px: height to which the line of B/2 is drawn by stations, or None where none runs along it.
-        turning: pieces that lean back, walked across the frame.
         constraints: what the user says of links, ends and shared lines.
+        turning: pieces that lean back, walked across the frame.
 
     Returns:
         the curves, and by how many they are more than listed; further ones must gain as a station does.
@@ -102,10 +101,8 @@ def find_paths(
     share[constraints.shared(tracklets, links)] = 0.0
     for index in _marked(tracklets, marks):
         reward[index] -= REWARD_OF_MARK * scale
-    twins = 0
-    if turning is not None and turning.pieces:
+    if turning.pieces:
         bends = find_bends(tracklets, first, last, turning, mask, frame, scale)
-        twins = len(turning.pieces)
         gain, again = _worth(turning.pieces, width_px)
         for index in _marked(turning.pieces, tuple((row, turning.rows - 1.0 - column) for column, row in marks)):
             gain[index] -= REWARD_OF_MARK * scale
@@ -120,7 +117,7 @@ def find_paths(
         links = links.with_others(bends.source[passable], bends.target[passable], bends.cost[passable])
 
     def solve(units: int) -> Flow | None:
-        return _solve(reward, share, links, entry, leave, units, twins)
+        return _solve(reward, share, links, entry, leave, units, len(turning.pieces))
 
     flow, unlisted = solve(most), 0
     while flow is None and unlisted < MOST_UNLISTED:  # more lines are to be joined than there are stations
@@ -223,7 +220,7 @@ def _solve(
 ) -> Flow | None:
     """The cheapest flow of at most `most` units; None where the links that must be passed need more.
 
-    Of the last 2 * `twins` nodes, one of each pair may be used.
+    The last 2 * `twins` nodes are pieces walked one way, then the same pieces walked the other way: each is used once.
     """
     n, m = len(reward), len(passed.cost)
     source, target = passed.source, passed.target
@@ -249,19 +246,12 @@ def _solve(
     signs = np.concatenate([np.ones(m + n), -np.ones(2 * n), np.ones(m + n), -np.ones(2 * n)])
     balance = coo_matrix((signs, (rows, columns)), shape=(2 * n, len(cost))).tocsr()
     pair = np.arange(twins)
-    bounded = coo_matrix(
-        (
-            np.ones(n + 2 * twins),
-            (
-                np.concatenate([np.zeros(n, dtype=np.int64), 1 + pair, 1 + pair]),
-                np.concatenate([entries + node, n - 2 * twins + pair, n - twins + pair]),
-            ),
-        ),
-        shape=(1 + twins, len(cost)),
-    ).tocsr()
+    bounded_rows = np.concatenate([np.zeros(n, dtype=np.int64), 1 + pair, 1 + pair])
+    bounded_columns = np.concatenate([entries + node, n - 2 * twins + pair, n - twins + pair])
+    bounded = coo_matrix((np.ones(n + 2 * twins), (bounded_rows, bounded_columns)), shape=(1 + twins, len(cost)))
     result = linprog(  # type: ignore[call-overload]  # the stubs know no sparse matrices
         cost,
-        A_ub=bounded,
+        A_ub=bounded.tocsr(),
         b_ub=np.concatenate([[float(most)], np.ones(twins)]),
         A_eq=balance,
         b_eq=np.zeros(2 * n),
@@ -274,13 +264,7 @@ def _solve(
     return Flow(x[links:entries], x[entries:exits], x[exits:], float(result.fun))
 
 
-def _decompose(
-    first: Ends,
-    last: Ends,
-    frame: DiagonalFrame,
-    links: Links,
-    flow: Flow,
-) -> list[list[int]]:
+def _decompose(first: Ends, last: Ends, frame: DiagonalFrame, links: Links, flow: Flow) -> list[list[int]]:
     """Single curves out of the flow; where several share a tracklet they keep their order from the centre outwards."""
     n = len(first.column)
     outgoing: list[list[int]] = [[] for _ in range(n)]
@@ -290,7 +274,8 @@ def _decompose(
     edge = MARGIN_OF_ORDER * frame.half_breadth_px
     paths: list[list[int]] = []
     arriving: list[list[tuple[float, int]]] = [[] for _ in range(n)]
-    for node in _in_order(np.lexsort((last.column, first.column)), links, flow.links):
+    used = flow.links > 0
+    for node in walking_order(np.lexsort((last.column, first.column)), links.source[used], links.target[used]):
         here = arriving[node]
         for _ in range(int(flow.entries[node])):
             # a curve that starts on the centre line lies inside, one from the base line outside
@@ -306,26 +291,3 @@ def _decompose(
         for position, (path, other) in enumerate(zip(going, ordered, strict=False)):
             arriving[other].append((float(last.row[node]) + 1e-3 * position, path))
     return [path for path in paths if path]
-
-
-def _in_order(preferred: Indices, links: Links, units: Indices) -> list[int]:
-    """The nodes, each after those that its used links come from, else as preferred; rings are walked at the end."""
-    used = units > 0
-    place = np.empty(len(preferred), dtype=np.int64)
-    place[preferred] = np.arange(len(preferred))
-    following: list[list[int]] = [[] for _ in preferred]
-    waiting = np.zeros(len(preferred), dtype=np.int64)
-    for a, b in zip(links.source[used].tolist(), links.target[used].tolist(), strict=True):
-        following[a].append(b)
-        waiting[b] += 1
-    ready = [int(place[node]) for node in np.flatnonzero(waiting == 0)]
-    heapify(ready)
-    order = []
-    while ready:
-        node = int(preferred[heappop(ready)])
-        order.append(node)
-        for other in following[node]:
-            waiting[other] -= 1
-            if waiting[other] == 0:
-                heappush(ready, int(place[other]))
-    return order + [node for node in preferred.tolist() if waiting[node] > 0]

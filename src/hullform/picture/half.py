@@ -19,10 +19,11 @@ from hullform.picture.dome import find_dome, only_contours
 from hullform.picture.finishing import finish, finish_contour
 from hullform.picture.flow import find_paths
 from hullform.picture.frame import DiagonalFrame
-from hullform.picture.hand_drawn import course, rank_among, without_ink_of, without_turning_ink_of
+from hullform.picture.hand_drawn import course, rank_among, without_ink_of
 from hullform.picture.ink import Ink
 from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
 from hullform.picture.placing import REACH, Placed
+from hullform.picture.resampling import evenly
 from hullform.picture.ridges import (
     Peaks,
     Tracklet,
@@ -35,7 +36,8 @@ from hullform.picture.ridges import (
 from hullform.picture.sheer import SheerLine, find_sheer
 from hullform.picture.side import top_of_side
 from hullform.picture.smoothing import Trace, smooth_traces
-from hullform.picture.turning import Turning, find_turning
+from hullform.picture.turning import NOTHING_TURNS, Turning, find_turning
+from hullform.picture.turning_edits import without_deleted, without_ink_of_drawn
 from hullform.picture.winding import Pieces, ends_at_centre
 
 Array = NDArray[np.float64]
@@ -45,15 +47,13 @@ FLAT_SLOPE = 0.6  # db/da of a ridge within 14 degrees of level
 DECK_ZONE = 0.84  # of the depth: without a sheer line found, level ridges above it are taken for the deck
 LEVEL_SLOPE = 0.8
 NEAR_DEPTH = 0.12  # of the depth: a side drawn so high goes to the depth, by its meaning; lower, the deck is stepped
-POINT_SPACING_PX = 2.0  # along a traced curve
 SHORTEST_UNUSED_PX = 12  # of a line that is shown as one that no curve took
-NO_CORNERS: Array = np.zeros((0, 2))
 HIDDEN_BY_GRID = 0.7  # share of a curve that can be seen through a close grid: more missing counts against it
 
 
 @dataclass(frozen=True, eq=False)
-class Contour:
-    """(n, 2) [y, z] of a curve, px of the drawing, from its lower end on, and the confidence 0..1 in it."""
+class Loop:
+    """A contour that comes back to the centre line: (n, 2) [y, z], px of the drawing, and the confidence 0..1 in it."""
 
     points: Array
     confidence: float
@@ -68,8 +68,9 @@ class HalfReading:
         confidences: 0..1 of each.
         sheer: the deck edge, or None where none was found.
         unlisted: by how many the curves are more than the stations that are listed.
-        loops: contours that come back to the centre line, from the innermost outwards, then second contours by hand.
-        drawn: which of the curves were drawn by hand, and the station of each, m; `drawn_loops`: of the loops.
+        loops: contours that come back to the centre line, from the innermost outwards.
+        drawn: which of the curves were drawn by hand, and the station of each, m.
+        second_contours: station, m, and points as in `curves` of second contours drawn by hand.
         unused: (n, 2) [y, z] of lines that no curve took.
         unheeded: ids of the corrections that changed nothing.
     """
@@ -81,9 +82,9 @@ class HalfReading:
     sheer: SheerLine | None
     line_width_px: float
     unlisted: int = 0
-    loops: tuple[Contour, ...] = ()
+    loops: tuple[Loop, ...] = ()
     drawn: tuple[tuple[int, float], ...] = ()
-    drawn_loops: tuple[tuple[int, float], ...] = ()
+    second_contours: tuple[tuple[float, Array], ...] = ()
     unused: tuple[Array, ...] = ()
     unheeded: tuple[str, ...] = ()
 
@@ -102,8 +103,8 @@ class HalfInk:
         deck_level_px: height of a level deck line at the depth, or None where none is drawn.
         side_top_px: height to which stations run along the line of B/2, or None where none does.
         sheer: the deck edge, or None where none was found.
-        peaks: of the ridges that may be curves.
-        tracklets: pieces of curve, of the peaks below the deck edge; turning: those that lean back.
+        peaks: of the ridges that may be curves; `tracklets`: pieces of curve, of the peaks below the deck edge;
+            `turning`: pieces that lean back.
     """
 
     half: Half
@@ -118,7 +119,7 @@ class HalfInk:
     sheer: SheerLine | None
     peaks: Peaks
     tracklets: list[Tracklet]
-    turning: Turning
+    turning: Turning = NOTHING_TURNS
 
 
 def prepare_half(
@@ -147,19 +148,18 @@ def prepare_half(
     peaks = find_peaks(here, width)
     peaks = peaks.chosen(usable(peaks, hidden, frame))
     level = depth_px if deck_line else None
-    no_pieces = Turning([], here.shape[0], np.zeros(0, dtype=np.bool_))
-    prepared = with_pieces(
-        HalfInk(half, frame, here, hidden, width, width, depth_px, level, side_top, sheer, peaks, [], no_pieces)
-    )
-    widths = [tracklet.width for tracklet in prepared.tracklets]
-    return replace(prepared, single_px=float(np.percentile(np.concatenate(widths), 35)) if widths else width)
+    prepared = HalfInk(half, frame, here, hidden, width, width, depth_px, level, side_top, sheer, peaks, [])
+    tracklets = pieces_of_curve(prepared)
+    single = float(np.percentile(np.concatenate([t.width for t in tracklets]), 35)) if tracklets else width
+    prepared = replace(prepared, single_px=single, tracklets=tracklets)
+    return replace(prepared, turning=_pieces_that_turn(prepared))
 
 
-def with_pieces(prepared: HalfInk, flank_px: float | None = None) -> HalfInk:
-    """A half with its pieces of curve found anew, below its deck edge.
+def pieces_of_curve(prepared: HalfInk, flank_px: float | None = None) -> list[Tracklet]:
+    """The tracklets of a half below its deck edge.
 
     Args:
-        prepared: the half; its pieces are not looked at.
+        prepared: the half; its tracklets are not looked at.
         flank_px: how near the deck edge flat ridges are the deck edge.
     """
     peaks, sheer, depth_px = prepared.peaks, prepared.sheer, prepared.depth_px
@@ -172,15 +172,20 @@ def with_pieces(prepared: HalfInk, flank_px: float | None = None) -> HalfInk:
     else:
         on_deck = (z > DECK_ZONE * depth_px) & (peaks.slope > LEVEL_SLOPE)
         above = z > (1.01 if prepared.deck_level_px is not None else 1.6) * depth_px
-    tracklets = without_hair_lines(find_tracklets(peaks.chosen(~(on_deck | above))))
+    return without_hair_lines(find_tracklets(peaks.chosen(~(on_deck | above))))
+
+
+def _pieces_that_turn(prepared: HalfInk) -> Turning:
+    sheer, depth_px = prepared.sheer, prepared.depth_px
 
     def ceiling(half_breadth: Array) -> Array:
         if sheer is not None:
             return sheer.at(half_breadth) - SHEER_FLANK_PX
         return np.full(np.shape(half_breadth), DECK_ZONE * depth_px)
 
-    turning = find_turning(prepared.ink, prepared.hidden, tracklets, prepared.frame, prepared.line_width_px, ceiling)
-    return replace(prepared, tracklets=tracklets, turning=turning)
+    return find_turning(
+        prepared.ink, prepared.hidden, prepared.tracklets, prepared.frame, prepared.line_width_px, depth_px, ceiling
+    )
 
 
 def trace_half(
@@ -199,15 +204,15 @@ def trace_half(
     """
     here, frame, sheer, tracklets = prepared.ink, prepared.frame, prepared.sheer, prepared.tracklets
     side_top, width, size = prepared.side_top_px, prepared.line_width_px, prepared.frame.half_breadth_px
-    turning = prepared.turning
+    turning, placed = without_deleted(prepared.turning, tracklets, placed, size)
     by_hand = {}
     for item in placed:
         if isinstance(item.correction, Drawn):
             curve = course(item.yz, item.correction.smooth, size)
             by_hand[item.correction.curve, item.correction.station_m] = curve
             tracklets = without_ink_of(curve, tracklets, frame, prepared.single_px)
-            turning = without_turning_ink_of(curve, turning, frame, prepared.single_px)
-    tracklets, turning, constraints, unheeded = constrain(tracklets, turning, placed, size)
+            turning = without_ink_of_drawn(turning, curve, frame)
+    tracklets, constraints, unheeded = constrain(tracklets, placed, size)
     whole = sorted((station, curve) for (number, station), curve in by_hand.items() if number == 0)
     ends = np.array([(t.column[-1], t.row[-1]) for t in tracklets], dtype=np.float64).reshape(-1, 2)
     end_y, _ = frame.to_drawing(ends[:, 0], ends[:, 1])
@@ -223,12 +228,19 @@ def trace_half(
         most - len(whole),
         seeds,
         side_top,
-        turning,
         constraints,
+        turning,
     )
     knuckles = [item for item in placed if isinstance(item.correction, Knuckle)]
     pieces = Pieces(tracklets, turning)
-    traces = smooth_traces(paths, pieces, prepared.single_px, frame, [tuple(item.at[0]) for item in knuckles])
+    every = smooth_traces(paths, pieces, prepared.single_px, frame, [tuple(item.at[0]) for item in knuckles])
+    closed = [t.winds and ends_at_centre(frame.to_drawing(t.column, t.row)[0], size) for t in every]
+    traces = [trace for trace, loop in zip(every, closed, strict=True) if not loop]
+    loops = tuple(
+        Loop(evenly(np.column_stack(finish_contour(trace, frame))), _confidence(trace))
+        for trace, loop in zip(every, closed, strict=True)
+        if loop
+    )
     corners = [np.array(trace.corners).reshape(-1, 2) for trace in traces]
     unheeded += [
         item.correction.id
@@ -236,42 +248,37 @@ def trace_half(
         if not any((np.hypot(*(at - item.at[0]).T) < 2 * REACH * size).any() for at in corners)
     ]
     level = prepared.deck_level_px
-    curves: list[Contour] = []
-    loops: list[Contour] = []
-    for trace, at in zip(traces, corners, strict=True):
-        confidence = _confidence(trace)
-        if trace.winds and ends_at_centre(frame.to_drawing(trace.column, trace.row)[0], size):
-            points = np.column_stack(finish_contour(trace, frame))
-            loops.append(Contour(_evenly(points), confidence))
-            continue
-        points = np.column_stack(finish(trace, frame, here, prepared.hidden, sheer, level, side_top))
-        curves.append(Contour(_evenly(points, np.column_stack(frame.to_drawing(at[:, 0], at[:, 1]))), confidence))
-    unlisted = max(0, unlisted - len(loops))
+    curves = [
+        evenly(
+            np.column_stack(finish(trace, frame, here, prepared.hidden, sheer, level, side_top)),
+            np.column_stack(frame.to_drawing(at[:, 0], at[:, 1])),
+        )
+        for trace, at in zip(traces, corners, strict=True)
+    ]
+    confidences = [_confidence(trace) for trace in traces]
     # from the centre line outwards, as the half shows its stations
     drawn: list[tuple[int, float]] = []
     for station, curve in whole if prepared.half == "aft" else whole[::-1]:
-        rank = max(rank_among(curve, [other.points for other in curves], frame), drawn[-1][0] + 1 if drawn else 0)
-        curves.insert(rank, Contour(_evenly(curve), 1.0))
+        rank = max(rank_among(curve, curves, frame), drawn[-1][0] + 1 if drawn else 0)
+        curves.insert(rank, evenly(curve))
+        confidences.insert(rank, 1.0)
         drawn.append((rank, station))
-    second = [(station, curve) for (number, station), curve in by_hand.items() if number == 1]
-    drawn_loops = tuple((len(loops) + place, station) for place, (station, _) in enumerate(second))
-    loops += [Contour(_evenly(curve), 1.0) for _, curve in second]
+    unused = tuple(
+        np.column_stack(frame.to_drawing(*line)) for line in pieces.unused(paths) if len(line[0]) >= SHORTEST_UNUSED_PX
+    )
+    second = tuple((station, evenly(curve)) for (number, station), curve in by_hand.items() if number == 1)
     return HalfReading(
         prepared.half,
         frame,
-        tuple(curve.points for curve in curves),
-        tuple(curve.confidence for curve in curves),
+        tuple(curves),
+        tuple(confidences),
         sheer,
         width,
-        unlisted,
-        tuple(loops),
+        max(0, unlisted - len(loops)),
+        loops,
         tuple(drawn),
-        drawn_loops,
-        tuple(
-            np.column_stack(frame.to_drawing(*line))
-            for line in pieces.unused(paths)
-            if len(line[0]) >= SHORTEST_UNUSED_PX
-        ),
+        second,
+        unused,
         tuple(unheeded),
     )
 
@@ -289,15 +296,3 @@ def _confidence(trace: Trace) -> float:
     alone = 0.5 + 0.5 * min(1.0, trace.own / 0.5)
     seen = min(1.0, trace.visible / HIDDEN_BY_GRID)
     return float(np.clip(seen * alone * np.exp(-max(trace.end_cost, 0.0) / 200.0), 0.0, 1.0))
-
-
-def _evenly(points: Array, corners: Array = NO_CORNERS) -> Array:
-    """The curve at even steps of arc length, its ends and corners kept."""
-    arc = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
-    keep = np.concatenate([[True], np.diff(arc) > 1e-9])
-    at = np.linspace(0.0, arc[-1], max(3, round(arc[-1] / POINT_SPACING_PX) + 1))
-    for corner in corners:
-        away = np.hypot(*(points - corner).T)
-        if away.min() < POINT_SPACING_PX:
-            at = np.unique(np.append(at, arc[np.argmin(away)]))
-    return np.column_stack([np.interp(at, arc[keep], points[keep, k]) for k in (0, 1)])

@@ -11,7 +11,6 @@ from scipy.spatial import KDTree
 
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ridges import Tracklet
-from hullform.picture.turning import Turning
 
 Array = NDArray[np.float64]
 
@@ -60,13 +59,6 @@ def without_ink_of(
     lines = [np.column_stack([t.column, t.row]) for t in tracklets]
     taken = _on(curve, lines, [float(np.median(t.width)) for t in tracklets], frame, width_px)
     return [t for t, gone in zip(tracklets, taken, strict=True) if not gone]
-
-
-def without_turning_ink_of(curve: Array, turning: Turning, frame: DiagonalFrame, width_px: float) -> Turning:
-    """The pieces that lean back and do not lie on a drawn curve, as above."""
-    lines = [np.column_stack(turning.points(number)) for number in range(len(turning.pieces))]
-    widths = [float(np.median(piece.width)) for piece in turning.pieces]
-    return turning.chosen(~_on(curve, lines, widths, frame, width_px))
 
 
 def _on(

@@ -21,7 +21,10 @@ COST_OF_DETOUR = 22.0  # the same, between an end and the way across the gap
 COST_OF_PAPER = 0.8  # per px of gap where nothing is drawn
 COST_OF_HIDDEN = 0.25  # per px of gap where a long line hides what is drawn
 LARGEST_OVERLAP = 0.012  # of B/2: how far a piece may start before the end of the one that it follows
+LEAST_CORNER = 0.35  # rad: less is a bend
 LARGEST_TURN = 1.75  # rad, at a corner: 100 degrees
+LARGEST_TURN_TO_LEVEL = 1.05  # rad, outboard: a station that meets the deck edge does not go on along it
+LEVEL = 0.35  # sqrt 2 times the sine of the rise of a line that is level, or falls
 SHARPEST_BEND = 0.9  # rad, of a smooth joint
 LARGEST_BREAK = 0.03  # of B/2: gap at a corner
 
@@ -90,7 +93,10 @@ def joints(last: Tips, first: Tips, mask: Mask, size: float, scale: float) -> tu
         beyond = (gap[:, 0] * into[:, 1] - gap[:, 1] * into[:, 0]) / across
         before = (gap[:, 1] * out[:, 0] - gap[:, 0] * out[:, 1]) / across
     meet = (np.minimum(beyond, before) > -4) & (np.maximum(beyond, before) < span + 8)
-    corner = (turn > 0.35) & (turn < LARGEST_TURN) & (distance < LARGEST_BREAK * size) & meet
+    # across > 0 turns outboard; the height grows with column - row
+    levels_out = (across > 0) & (into[:, 0] - into[:, 1] < LEVEL)
+    largest = np.where(levels_out, LARGEST_TURN_TO_LEVEL, LARGEST_TURN)
+    corner = (turn > LEAST_CORNER) & (turn < largest) & (distance < LARGEST_BREAK * size) & meet
     cost = np.where(corner, np.minimum(cost, COST_OF_KNUCKLE * scale + span), cost)
     good = cost < DEAREST_LINK
     return source[good].astype(np.int64), target[good].astype(np.int64), cost[good]

@@ -12,7 +12,6 @@ from scipy.optimize import linear_sum_assignment
 
 from hullform.picture.ends import Ends
 from hullform.picture.ridges import Tracklet
-from hullform.picture.turning import Turning
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -96,24 +95,6 @@ def cut(tracklets: list[Tracklet], at: Under) -> tuple[list[Tracklet], tuple[Pla
     )
     pieces = ((0, before), (after, len(line.column)))
     return _replaced(tracklets, at.tracklet, pieces), (end_of(loose[0]), start_of(loose[1]))
-
-
-def distances_to(turning: Turning, at: Place) -> Array:
-    """Distance of each piece that leans back from a place."""
-    lines = (turning.points(number) for number in range(len(turning.pieces)))
-    return np.array([float(np.hypot(column - at[0], row - at[1]).min()) for column, row in lines])
-
-
-def turning_cut(turning: Turning, at: Place) -> tuple[Turning, Place]:
-    """The pieces that lean back, the nearest one cut, and the place on it."""
-    # in the transposed frame of these pieces, columns count rows downwards
-    found = under(turning.pieces, (turning.rows - 1.0 - at[1], at[0]))
-    piece = turning.pieces[found.tracklet]
-    place = (float(piece.row[found.peak]), turning.rows - 1.0 - float(piece.column[found.peak]))
-    pieces, _ = cut(turning.pieces, found)
-    repeats = np.ones(len(turning.pieces), dtype=np.int64)
-    repeats[found.tracklet] += len(pieces) - len(turning.pieces)
-    return Turning(pieces, turning.rows, np.repeat(turning.inboard_only, repeats)), place
 
 
 def crossed(tracklets: list[Tracklet], at: Place, half_breadth_px: float) -> tuple[list[Tracklet], Straight]:

@@ -155,9 +155,8 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
                 "check aft_side, breadth_m, depth_m and the calibration, or give a clearer picture"
             )
         loops = [loop.points for loop in reading.loops]
-        all_marks = {mark.mark for mark in marks}
-        marks, chosen = marks_on_loops(marks, reading.curves, loops, frame.half_breadth_px)
-        marks_of_loops = all_marks - {mark.mark for mark in marks}
+        marks, on_loops = marks_on_loops(marks, reading.curves, loops, frame.half_breadth_px)
+        used_marks |= {mark.mark for mark, _ in on_loops}
         marks, doubts_of_places = near_curves(marks, reading.curves, frame.half_breadth_px)
         at = [(mark.station, mark.y_px, mark.z_px) for mark in marks]
         assigned = assign_stations(
@@ -167,14 +166,14 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
             mark_distances(reading.curves, at, len(names)),
             [(_index(inner_first, x), number) for number, x in reading.drawn],
         )
-        named_curves = [None if number == NO_CURVE else reading.curves[number] for number in assigned]
         second = pair_loops(
             loops,
-            named_curves,
+            [None if number == NO_CURVE else reading.curves[number] for number in assigned],
             frame.half_breadth_px,
-            [*((_index(inner_first, x), number) for number, x in reading.drawn_loops), *chosen],
+            [(mark.station, loop) for mark, loop in on_loops],
+            [_index(inner_first, x) for x, _ in reading.second_contours],
         )
-        used_marks |= {mark.mark for mark in marks} | marks_of_loops
+        used_marks |= {mark.mark for mark in marks}
         of_lines |= set(reading.unheeded)
         named_here, doubts_here = _stations(reading, inner_first, assigned, second, notes, doubts)
         stations += named_here
@@ -233,6 +232,10 @@ def _by_curve(inner_first: tuple[float, ...], assigned: list[int]) -> dict[int, 
     return out
 
 
+def _in_metres(points_px: Array, metres_per_px: float, confidence: float) -> TracedCurve:
+    return TracedCurve(points_px[:, 0] * metres_per_px, points_px[:, 1] * metres_per_px, confidence)
+
+
 def _stations(
     reading: HalfReading,
     inner_first: tuple[float, ...],
@@ -243,30 +246,29 @@ def _stations(
 ) -> tuple[list[Station], list[StationDoubt]]:
     """The stations of a half with their curves in metres, and which are not sure; reports what was shared."""
     scale = reading.frame.metres_per_px
-    curves = []
-    for points, confidence in zip(reading.curves, reading.confidences, strict=True):
-        curves.append(TracedCurve(points[:, 0] * scale, points[:, 1] * scale, confidence))
-    loops = [
-        TracedCurve(loop.points[:, 0] * scale, loop.points[:, 1] * scale, loop.confidence) for loop in reading.loops
+    curves = [
+        _in_metres(points, scale, confidence)
+        for points, confidence in zip(reading.curves, reading.confidences, strict=True)
     ]
+    contours = {
+        place: _in_metres(reading.loops[loop].points, scale, reading.loops[loop].confidence)
+        for place, loop in enumerate(second)
+        if loop != NO_LOOP
+    }
+    contours |= {_index(inner_first, x): _in_metres(points, scale, 1.0) for x, points in reading.second_contours}
     stations: list[Station] = []
     unsure: list[StationDoubt] = []
-    for x, number, loop in zip(inner_first, assigned, second, strict=True):
-        contour = () if loop == NO_LOOP else (loops[loop],)
-        if number == NO_CURVE and contour:
-            stations.append(Station(x, reading.half, contour))
-            text = (
-                f"station {x:g} m ({reading.half} half): only a contour that closes on the centre line was found; "
-                "mark a point of its other contour in [[body_plan.marks]]"
-            )
-            unsure.append(StationDoubt(x, reading.half, text))
-            continue
+    for place, (x, number) in enumerate(zip(inner_first, assigned, strict=True)):
+        further = (contours[place],) if place in contours else ()
         if number == NO_CURVE:
-            text = f"station {x:g} m ({reading.half} half): not found; mark a point of its curve in [[body_plan.marks]]"
+            what = "only a contour that closes on the centre line was found" if further else "not found"
+            text = f"station {x:g} m ({reading.half} half): {what}; mark a point of its curve in [[body_plan.marks]]"
             unsure.append(StationDoubt(x, reading.half, text))
+            if further:
+                stations.append(Station(x, reading.half, further))
             continue
         others = tuple(sorted(o for o, n in zip(inner_first, assigned, strict=True) if n == number and o != x))
-        stations.append(Station(x, reading.half, (curves[number], *contour), shared_with_m=others))
+        stations.append(Station(x, reading.half, (curves[number], *further), shared_with_m=others))
         if curves[number].confidence < LOW_CONFIDENCE:
             text = (
                 f"station {x:g} m ({reading.half} half): traced with confidence {curves[number].confidence:.2f}; "

@@ -36,11 +36,11 @@ class Trace:
 
     Attributes:
         column, row: in the frame, keel to deck.
-        winds: whether the curve turns back, so that its columns do not increase throughout.
         weight: 1 where the curve stands alone, 0.04 in a ribbon, 0.004 in gaps.
         visible: share of the columns with ink; `own`: share where it stands alone.
         end_cost: of the flow, at both ends.
         corners: [column, row] of the knuckles that were kept.
+        winds: whether the curve turns back, so that its columns do not increase throughout.
     """
 
     column: Array
@@ -49,8 +49,8 @@ class Trace:
     visible: float
     own: float
     end_cost: float
-    winds: bool = False
     corners: tuple[tuple[float, float], ...] = ()
+    winds: bool = False
 
 
 def smooth_traces(
@@ -62,8 +62,8 @@ def smooth_traces(
 ) -> list[Trace]:
     """The curves of a half from the centre line outwards; (column, row) of the user's knuckles are not rounded."""
     raw = [_joined(path, pieces) for path in paths]
-    level = [_over_height(path, pieces, frame) for path in paths]
     winds = [pieces.winds(path.tracklets) for path in paths]
+    level = [_over_height(path, pieces, frame) for path in paths] if any(winds) else raw
 
     def inside_first(first: int, second: int) -> int:
         seen = level if winds[first] or winds[second] else raw
