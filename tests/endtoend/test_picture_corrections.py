@@ -88,8 +88,8 @@ def test_an_erased_piece_is_mended_by_a_join(tmp_path: Path) -> None:
     mended = corrected(ship, sheet, Joined(id="a", px=ends))
     # a fifth of the curve is led by its ends: over 180 px a smooth section departs from that by some pixels of 830
     assert rms_of(mended, WIGLEY)[X_M] < 0.6
-    others = {x: rms for x, rms in rms_of(mended, WIGLEY).items() if x != X_M}
-    assert all(rms < rms_of(whole, WIGLEY)[x] + LITTLE for x, rms in others.items())
+    before, after = rms_of(whole, WIGLEY), rms_of(mended, WIGLEY)
+    assert all(after[x] < before[x] + LITTLE for x in before if x != X_M)
     assert mended.body_plan.doubts == ()
 
 
@@ -152,7 +152,8 @@ def test_a_drawn_curve_is_the_station_and_its_ink_no_other() -> None:
     assert (curve.by_hand, curve.confidence, curve.number) == (True, 1.0, 0)
     assert to_polyline(np.array(points), curve.px).max() < 0.1
     assert reading.body_plan.doubts == ()
-    assert all(rms < rms_of(whole, WIGLEY)[x] + LITTLE for x, rms in rms_of(reading, WIGLEY).items())
+    before, after = rms_of(whole, WIGLEY), rms_of(reading, WIGLEY)
+    assert all(after[x] < before[x] + LITTLE for x in before)
     assert len(reading.curves) == len(whole.curves)
 
 
