@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from hullform.body_plan import BodyPlan, Calibration, Half, Station, TracedCurve
 from hullform.errors import PictureError
+from hullform.picture.crosschecks import crosscheck
 from hullform.picture.doubts import (
     NamedHalf,
     doubts_of_counts,
@@ -140,6 +141,7 @@ def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
     doubts += doubts_of_scale(str(path), readings, sheet.ink, sheet.bare, main.breadth_m, main.depth_m)
     doubts += doubts_of_counts(halves)
     doubts += doubts_of_parallel_body(halves, main.length_between_perpendiculars_m)
+    doubts += crosscheck(stations, main, ship.water)
     fine_notes, fine_doubts = check_input(path.name, sheet.halves.values(), sheet.size_px[0])
     notes += fine_notes
     doubts += fine_doubts
