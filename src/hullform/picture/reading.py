@@ -13,8 +13,10 @@ from hullform.errors import PictureError
 from hullform.picture.crosschecks import crosscheck
 from hullform.picture.doubts import (
     NamedHalf,
+    doubts_below_base,
     doubts_of_counts,
     doubts_of_edges,
+    doubts_of_keel,
     doubts_of_parallel_body,
     doubts_of_scale,
 )
@@ -139,6 +141,7 @@ def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
         halves.append(NamedHalf(reading, inner_first, tuple(assigned)))
     readings = [half.reading for half in halves]
     doubts += doubts_of_scale(str(path), readings, sheet.ink, sheet.bare, main.breadth_m, main.depth_m)
+    doubts += doubts_below_base(readings, sheet.bare) + doubts_of_keel(readings, main.depth_m)
     doubts += doubts_of_counts(halves)
     doubts += doubts_of_parallel_body(halves, main.length_between_perpendiculars_m)
     doubts += crosscheck(stations, main, ship.water)
