@@ -28,6 +28,10 @@ SCALES_APART = 0.015  # between breadth and depth, beyond which a person should 
 HOPELESS = 0.85  # least ratio of the scales of breadth and depth, either way
 RUNS_ON = (0.02, 0.06)  # of B/2: where ink beyond the end of a curve means that the curve goes on
 SIDE_WINDOW = 0.08  # of B/2: the stretch of the line of the side that must be drawn for the most part
+HIGHEST_KEEL = 0.04  # of D: of the midship section
+TRACED_BELOW = 0.012  # of B/2 below the base line: nearer to it flat bottoms waver
+DEEPEST = 0.5  # of B/2: how far down is looked
+DEEP = 0.06  # of B/2: what hangs down from the base line less far is a label or a box line's end
 EDGE_PX = 2.5
 FEWEST_CUT = 3  # lines at the picture's edge: one or two may be the scanner's
 WIDEST_STROKE_PX = 40
@@ -156,6 +160,55 @@ def doubts_of_scale(
         f"scale: {words}; that is {scale:.5g} m per px by the breadth and {scale * depth_m / top:.5g} m per px by the "
         "depth: check breadth_m, depth_m and whether the picture was stretched"
     ]
+
+
+def doubts_of_keel(readings: Sequence[HalfReading], depth_m: float) -> list[str]:
+    """A midship section that stands clear of the base line: the line is one too low.
+
+    Args:
+        readings: of both halves.
+        depth_m: of ship.toml.
+    """
+    fullest = [(float(reading.curves[-1][:, 1].min()), reading) for reading in readings if reading.curves]
+    keel_px, reading = min(fullest, key=lambda pair: pair[0])
+    keel_m = keel_px * reading.frame.metres_per_px
+    if keel_m <= HIGHEST_KEEL * depth_m:
+        return []
+    return [
+        f"base line: the fullest sections end {keel_m:.2f} m above it, and not on it; give baseline_px in "
+        "[body_plan.calibration] where it was taken for another line (see the overlay), or check depth_m"
+    ]
+
+
+def doubts_below_base(readings: Sequence[HalfReading], bare: Ink) -> list[str]:
+    """Curves that go on below the base line although no station was traced there: a dome, or the wrong base line.
+
+    Args:
+        readings: of both halves.
+        bare: (rows, columns) ink of the picture without its long straight lines.
+    """
+    doubts = []
+    for reading in readings:
+        frame = reading.frame
+        size = frame.half_breadth_px
+        if min((float(curve[:, 1].min()) for curve in reading.curves), default=0.0) < -TRACED_BELOW * size:
+            continue
+        y, below = np.meshgrid(np.arange(TRACED_BELOW * size, size), np.arange(TRACED_BELOW * size, DEEPEST * size))
+        u, v = frame.to_picture(y.ravel(), -below.ravel())
+        at_u, at_v = (px.reshape(y.shape).astype(np.float32) for px in (u, v))
+        drawn = cv2.remap(bare, at_u, at_v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=0) > 0.3
+        _, _, found, _ = cv2.connectedComponentsWithStats(drawn.astype(np.uint8), connectivity=8)
+        tops = np.asarray(found[1:, cv2.CC_STAT_TOP], dtype=np.float64)
+        heights = np.asarray(found[1:, cv2.CC_STAT_HEIGHT], dtype=np.float64)
+        curves = (tops < TRACED_BELOW * size) & (heights > DEEP * size)
+        if curves.any():
+            lowest_m = float((tops + heights)[curves].max() + TRACED_BELOW * size) * frame.metres_per_px
+            doubts.append(
+                f"{reading.half} half: {int(curves.sum())} curves go on below the base line, to -{lowest_m:.2f} m, "
+                "and were not traced there; look at the base line in the overlay, and give baseline_px in "
+                "[body_plan.calibration] if it is another line"
+            )
+    return doubts
 
 
 def doubts_of_edges(readings: Sequence[HalfReading], bare: Ink) -> list[str]:

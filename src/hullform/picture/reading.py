@@ -14,10 +14,13 @@ from hullform.corrections import Correction, Drawn
 from hullform.errors import PictureError
 from hullform.picture.contours import NO_LOOP, marks_on_loops, pair_loops
 from hullform.picture.corrected import correct_ink
+from hullform.picture.crosschecks import crosscheck
 from hullform.picture.doubts import (
     NamedHalf,
+    doubts_below_base,
     doubts_of_counts,
     doubts_of_edges,
+    doubts_of_keel,
     doubts_of_parallel_body,
     doubts_of_scale,
 )
@@ -189,8 +192,10 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
     doubts += [item.text for item in without_effect]
     readings = [half.reading for half in halves]
     doubts += doubts_of_scale(str(path), readings, sheet.ink, sheet.bare, main.breadth_m, main.depth_m)
+    doubts += doubts_below_base(readings, sheet.bare) + doubts_of_keel(readings, main.depth_m)
     doubts += doubts_of_counts(halves)
     doubts += doubts_of_parallel_body(halves, main.length_between_perpendiculars_m)
+    doubts += crosscheck(stations, main, ship.water)
     fine_notes, fine_doubts = check_input(path.name, sheet.halves.values(), sheet.size_px[0])
     notes += fine_notes
     doubts += fine_doubts
