@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.errors import PictureError
-from hullform.picture.paper import beyond_paper
 from hullform.picture.image_files import Picture
+from hullform.picture.paper import beyond_paper
 
 Ink = NDArray[np.float32]
 
