@@ -28,6 +28,7 @@ export class App {
     this.draft = null; // figures of a calibration that is being dragged
     this.snapping = true;
     this.shown = { curves: true, grid: true, lines: false };
+    this.faded = true; // the picture, so that what is drawn over it stands out
     this.gridSpacing = null; // chosen by hand, [across, up] in metres
     this.message = "";
     this.listeners = [];

@@ -24,6 +24,10 @@ const PLAIN = {
   g: (app) => flip(app, "grid"),
   h: (app) => flip(app, "curves"),
   u: (app) => flip(app, "lines"),
+  f: (app) => {
+    app.faded = !app.faded;
+    app.changed();
+  },
   p: (app) => {
     app.snapping = !app.snapping;
     app.changed();
@@ -84,7 +88,7 @@ const OTHERS = [
   ["2", "while drawing: the station's second contour"],
   ["Alt", "with a click: exactly here, not on the nearest line"],
   ["N", "next doubtful station"],
-  ["H G U P", "curves, grid, unused lines, snap"],
+  ["H G U F P", "curves, grid, unused lines, fade, snap"],
   ["Ctrl-Z", "undo; Ctrl-Shift-Z or Ctrl-Y redo"],
   ["S", "save; Ctrl-S too"],
 ];

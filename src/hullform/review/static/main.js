@@ -52,6 +52,7 @@ async function start() {
     const { scale, left, top } = viewport;
     picture.style.transform = `translate(${left}px, ${top}px) scale(${scale})`;
     picture.classList.toggle("large", scale > 3);
+    picture.classList.toggle("faded", app.faded);
     layers.place();
     labels.draw();
     loupe.draw();

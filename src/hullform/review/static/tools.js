@@ -63,6 +63,7 @@ export function drawTools(app) {
     toggle("H", "curves", shown.curves, () => (shown.curves = !shown.curves), "Show or hide the traced curves"),
     toggle("G", "grid", shown.grid, () => (shown.grid = !shown.grid), "Show or hide the predicted grid"),
     toggle("U", "unused", shown.lines, () => (shown.lines = !shown.lines), "Show the lines that no curve took"),
+    toggle("F", "fade", app.faded, () => (app.faded = !app.faded), "Fade the picture under what is drawn over it"),
     toggle("P", "snap", app.snapping, () => (app.snapping = !app.snapping), "Clicks go to the nearest line (Alt: not this one)"),
     make("button", { class: "toggle", "data-key": "help", onclick: () => byId("help").showModal() }, "keys", make("kbd", {}, "?")),
   );
