@@ -35,10 +35,6 @@ class Reduction:
         """The place in the picture that is read of a pixel (or of arrays of pixels) of the stored one."""
         return (px[0] + 0.5) / self.across - 0.5, (px[1] + 0.5) / self.down - 0.5
 
-    def stored_px(self, px: tuple[Coordinate, Coordinate]) -> tuple[Coordinate, Coordinate]:
-        """The place in the stored picture of a pixel (or of arrays of pixels) of the one that is read."""
-        return (px[0] + 0.5) * self.across - 0.5, (px[1] + 0.5) * self.down - 0.5
-
     def given(self, given: CalibrationGiven | None) -> CalibrationGiven | None:
         """What ship.toml gives of the calibration, for the picture that is read."""
         if given is None:

@@ -99,7 +99,7 @@ class Desk:
             review = checked_review(document, self.ship)
             ship = review.applied_to(self.ship)
             sheet = self._sheet(ship)
-            reading = read_sheet(sheet, ship)
+            reading = read_sheet(sheet, ship, review.corrections)
             self._reading = reading
             view = reading_document(sheet, reading, ship)
             return view | {"seconds": time.perf_counter() - began}

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from hullform.body_plan import Calibration, Half, Station
 from hullform.picture.reading import PictureReading
+from hullform.picture.seen import SeenCurve
 from hullform.picture.sheet import HALVES, Sheet
 from hullform.review.evidence import Evidence
 from hullform.review.form import area_below, waterlines
@@ -19,7 +20,7 @@ Document = dict[str, Any]
 
 SURE, FAIR = 0.8, 0.5  # confidence from which a curve is shown as sure, and as fair
 WATERLINE_SHARES = (0.25, 0.5, 0.75, 1.0)  # of the draught
-SHOWN_STEP = 2  # every so many points of a traced curve are drawn: they lie two pixels apart
+SHOWN_STEP = 2  # every so many points of a curve are drawn: they lie a pixel or two apart
 
 
 def reading_document(sheet: Sheet, reading: PictureReading, ship: Ship) -> Document:
@@ -33,15 +34,16 @@ def reading_document(sheet: Sheet, reading: PictureReading, ship: Ship) -> Docum
     stations = reading.body_plan.stations
     heights = [share * reading.draught_m for share in WATERLINE_SHARES]
     heights.append((reading.draught_m + reading.depth_m) / 2)
-    evidence = {half: Evidence(sheet.halves[half]) for half in HALVES}
-    curves = {half: _curves(sheet, reading, half, evidence[half]) for half in HALVES}
+    evidence = {half: Evidence(sheet.halves[half], sheet.reduction) for half in HALVES}
+    names = {(station.half, station.x_m): station.name for station in stations}
+    curves = [_curve(seen, evidence[seen.half], names) for seen in reading.curves]
     return {
         "calibration": calibration_document(reading.calibration, sheet),
         "left_half": reading.left_half,
         "line_width_px": max(half.line_width_px for half in sheet.halves.values()) * sheet.reduction.across,
-        "curves": [curve for half in HALVES for curve in curves[half]],
-        "lines": [line for half in HALVES for line in _lines(sheet, evidence[half], curves[half])],
-        "halves": [_half(half, ship, stations, curves[half]) for half in HALVES],
+        "curves": curves,
+        "unused": [{"half": line.half, "px": _thinned(line.px)} for line in reading.unused],
+        "halves": [_half(half, ship, stations, curves) for half in HALVES],
         "sheer": {half: _pixels(reading, half, points).tolist() for half, points in reading.sheer_m.items()},
         "areas": [
             {
@@ -58,6 +60,10 @@ def reading_document(sheet: Sheet, reading: PictureReading, ship: Ship) -> Docum
         ],
         "notes": list(reading.body_plan.notes),
         "doubts": list(reading.body_plan.doubts),
+        "station_doubts": [
+            {"half": doubt.half, "x_m": doubt.station_m, "text": doubt.text} for doubt in reading.station_doubts
+        ],
+        "unheeded": {correction.id: correction.text for correction in reading.unheeded},
     }
 
 
@@ -88,7 +94,7 @@ def _half(half: Half, ship: Ship, stations: tuple[Station, ...], curves: list[Do
     found = {station.x_m: station for station in stations if station.half == half}
     residual: dict[float, float] = {}
     for curve in curves:
-        if curve["residual_px"] is not None:
+        if curve["half"] == half and curve["residual_px"] is not None:
             for x in curve["stations_m"]:
                 residual[x] = max(residual.get(x, 0.0), curve["residual_px"])
     rows = []
@@ -108,45 +114,27 @@ def _half(half: Half, ship: Ship, stations: tuple[Station, ...], curves: list[Do
     return {"half": half, "expected": len(names), "found": sum(x in found for x in names), "stations": rows}
 
 
-def _curves(sheet: Sheet, reading: PictureReading, half: Half, evidence: Evidence) -> list[Document]:
-    """Each drawn curve once, with all the stations that share it."""
-    out: list[Document] = []
-    seen: set[float] = set()
-    for station in reading.body_plan.stations:
-        if station.half != half or station.x_m in seen:
-            continue
-        everyone = sorted((station.x_m, *station.shared_with_m))
-        seen |= set(everyone)
-        for number, curve in enumerate(station.curves):
-            px = _pixels(reading, half, curve.points)
-            read = np.column_stack(sheet.reduction.read((px[:, 0], px[:, 1])))
-            residual = evidence.residual_px(read)
-            out.append(
-                {
-                    "half": half,
-                    "stations_m": everyone,
-                    "label": station.name if len(everyone) == 1 else f"{everyone[0]:g}–{everyone[-1]:g}",
-                    "curve": number,
-                    "standing": standing(curve.confidence),
-                    "confidence": curve.confidence,
-                    "residual_px": None if residual is None else residual * sheet.reduction.across,
-                    "px": _thinned(px),
-                }
-            )
-    return out
+def _curve(seen: SeenCurve, evidence: Evidence, names: dict[tuple[Half, float], str]) -> Document:
+    stations = seen.stations_m
+    label = "?" if not stations else names.get((seen.half, stations[0]), f"{stations[0]:g}")
+    if len(stations) > 1:
+        label += "–" + names.get((seen.half, stations[-1]), f"{stations[-1]:g}")
+    return {
+        "half": seen.half,
+        "stations_m": list(stations),
+        "label": label,
+        "curve": seen.number,
+        "standing": _standing_of(seen),
+        "confidence": seen.confidence,
+        "residual_px": evidence.residual_px(seen.px),
+        "px": _thinned(seen.px),
+    }
 
 
-def _lines(sheet: Sheet, evidence: Evidence, curves: list[Document]) -> list[Document]:
-    """The pieces of line of one half, and which of them a curve uses."""
-    taken = []
-    for curve in curves:
-        px = np.array(curve["px"], dtype=np.float64)
-        taken.append(np.column_stack(sheet.reduction.read((px[:, 0], px[:, 1]))))
-    out = []
-    for piece, used in evidence.pieces(taken):
-        stored = np.column_stack(sheet.reduction.stored_px((piece[:, 0], piece[:, 1])))
-        out.append({"used": used, "px": _thinned(stored)})
-    return out
+def _standing_of(seen: SeenCurve) -> str:
+    if seen.by_hand:
+        return "drawn"
+    return standing(seen.confidence) if seen.stations_m else "unnamed"
 
 
 def _pixels(reading: PictureReading, half: Half, points_m: Array) -> Array:

@@ -97,7 +97,7 @@ export class App {
     const plain = px.map((value) => Math.round(value * 100) / 100);
     if (!this.snapping || event?.altKey || !this.reading) return plain;
     const reach = Math.min(SNAP_PICTURE_PX, SNAP_SCREEN_PX / this.viewport.scale);
-    const found = nearestLine(px, this.reading.lines, reach);
+    const found = nearestLine(px, [...this.reading.curves, ...this.reading.unused], reach);
     return found ? found.point.map((value) => Math.round(value * 100) / 100) : plain;
   }
 

@@ -51,12 +51,12 @@ export const calibrateTool = {
     if (!held) return null;
     return this.pointMode ? grabKnownPoint(app, Number(held.name) - 1) : grabLine(app, held.name);
   },
-  click(app, px, event) {
+  click(app, px) {
     if (!this.pointMode) return;
     const [y, z] = app.metresAt(px);
     const [across, up] = gridSpacing(app);
     const rounded = (value, step) => Math.round(value / (step / 2)) * (step / 2);
-    const at = app.snap(px, event);
+    const at = px.map(to(2));
     this.setPoints(app, [...this.points, { px: at, m: [rounded(y, across), rounded(z, up)] }], "a known point");
   },
   setPoints(app, points, what) {
@@ -76,8 +76,8 @@ function grabLine(app, name) {
   const before = figuresOf(app.calibration);
   const handle = name === "B/2 left" ? "B/2" : name;
   return {
-    move(to) {
-      app.draft = dragged(before, handle, to, app.ship);
+    move(px) {
+      app.draft = dragged(before, handle, px, app.ship);
       app.changed("calibration");
     },
     drop() {
@@ -94,8 +94,8 @@ function grabKnownPoint(app, index) {
   const before = calibrateTool.points;
   let points = before;
   return {
-    move(to, event) {
-      points = before.map((point, at) => (at === index ? { ...point, px: app.snap(to, event) } : point));
+    move(px) {
+      points = before.map((point, at) => (at === index ? { ...point, px: px.map(to(2)) } : point));
       calibrateTool.points = points;
       app.changed("preview");
     },

@@ -17,7 +17,7 @@ export function drawCorrections(app) {
 
 function row(app, one) {
   const chosen = one.id === app.correction;
-  const doubt = (app.reading?.doubts ?? []).find((words) => new RegExp(`\\b${one.id}\\b`).test(words));
+  const doubt = app.reading?.unheeded[one.id];
   const show = () => {
     app.selectCorrection(one.id);
     const points = pointsOf(one);

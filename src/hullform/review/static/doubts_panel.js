@@ -3,8 +3,6 @@
 import { byId, make, redraw } from "./dom.js";
 import { showStation } from "./doubtful.js";
 
-const OF_STATION = /station ([-\d.]+) m \((aft|fore) half\)/;
-
 export function drawDoubts(app) {
   const doubts = app.reading?.doubts ?? [];
   byId("doubts-panel").querySelector("h2").textContent = doubts.length ? `Doubts (${doubts.length})` : "Doubts";
@@ -23,9 +21,9 @@ export function drawDoubts(app) {
 }
 
 function entry(app, words, index) {
-  const named = OF_STATION.exec(words);
+  const named = app.reading.station_doubts.find((doubt) => doubt.text === words);
   if (!named) return words;
-  const station = { half: named[2], x_m: Number(named[1]) };
+  const station = { half: named.half, x_m: named.x_m };
   return make(
     "button",
     {

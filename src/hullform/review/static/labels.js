@@ -82,10 +82,10 @@ export class Labels {
     return words.map(([metres, text, anchor]) => {
       const [x, y] = app.viewport.toScreen(mapped(matrix, metres));
       const width = LETTER_PX * text.length;
-      const left = anchor === "end" ? x - 4 - width : x - width / 2;
+      const left = Math.max(2, anchor === "end" ? x - 4 - width : x - width / 2);
       const down = anchor === "end" ? y + 4 : y + 13;
       taken.push([left, down - HEIGHT_PX, left + width, down + 2]);
-      return shape("text", { x: anchor === "end" ? x - 4 : x, y: down, "text-anchor": anchor, class: "value" }, text);
+      return shape("text", { x: left, y: down, class: "value" }, text);
     });
   }
 

@@ -34,7 +34,7 @@ export class Layers {
     parts.grid.replaceChildren(...this.#grid());
     parts.frame.replaceChildren(...this.#frame());
     parts.lines.replaceChildren(
-      ...(app.reading?.lines ?? []).filter((line) => !line.used).map((line) => shape("path", { d: pathOf(line.px) })),
+      ...(app.reading?.unused ?? []).map((line) => shape("path", { d: pathOf(line.px) })),
     );
     parts.sheer.replaceChildren(
       ...Object.values(app.reading?.sheer ?? {}).map((px) => shape("path", { d: pathOf(px) })),
@@ -58,17 +58,10 @@ export class Layers {
   #curve(curve) {
     const { app } = this;
     const chosen = curve.stations_m.some((x_m) => sameStation({ half: curve.half, x_m }, app.station));
-    const drawn = (app.document.corrections ?? []).some(
-      (one) =>
-        one.kind === "drawn" &&
-        one.half === curve.half &&
-        (one.curve ?? 0) === curve.curve &&
-        curve.stations_m.some((x) => Math.abs(x - one.station_m) < 1e-3),
-    );
     const d = pathOf(curve.px);
     return [
       chosen ? shape("path", { d, class: "halo" }) : null,
-      shape("path", { d, class: `curve ${drawn ? "drawn" : curve.standing}${chosen ? " chosen" : ""}` }),
+      shape("path", { d, class: `curve ${curve.standing}${chosen ? " chosen" : ""}` }),
     ].filter(Boolean);
   }
 

@@ -20,6 +20,8 @@ export class Loupe {
     const shown = app.pointer !== null && app.tool?.loupe !== false && app.viewport.scale < 12;
     canvas.hidden = !shown;
     if (!shown || !this.picture.complete || !this.picture.naturalWidth) return;
+    // on the side where the pointer is not, so that it never hides what is pointed at
+    canvas.classList.toggle("right", app.viewport.toScreen(app.pointer)[0] < app.viewport.window[0] / 2);
     this.#collect();
     const size = canvas.width;
     const scale = Math.max(LEAST_SCALE, ENLARGED * app.viewport.scale);
