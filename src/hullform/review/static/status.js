@@ -3,7 +3,10 @@
 import { byId, make } from "./dom.js";
 
 export function drawStatus(app) {
-  byId("hint").textContent = app.message.trim() || app.tool?.hint(app) || "";
+  const hint = byId("hint");
+  const words = app.message.trim() || app.tool?.hint(app) || "";
+  // told again only when it is new: a screen reader reads out every change
+  if (hint.textContent !== words) hint.textContent = hint.title = words;
   const parts = [];
   if (app.pointer) {
     const [u, v] = app.pointer;
