@@ -25,6 +25,7 @@ NEAR_SIDE = 0.9  # of B/2: stations there end about as high as the midship secti
 SCALES_APART = 0.015  # between breadth and depth, beyond which a person should look
 HOPELESS = 0.85  # least ratio of the scales of breadth and depth, either way
 RUNS_ON = (0.02, 0.06)  # of B/2: where ink beyond the end of a curve means that the curve goes on
+BESIDE_PX = np.arange(-3.0, 3.01)  # how far beside that direction the ink may lie
 SMALLEST_HALF_PX = 600.0  # B/2: of a picture 1450 px wide
 THINNEST_OF_HALF = 200.0  # B/2 over the width of a line
 SIDE_WINDOW = 0.08  # of B/2: the stretch of the line of the side that must be drawn for the most part
@@ -223,6 +224,7 @@ def _runs_on(curve: Array, reading: HalfReading, ink: Ink) -> bool:
     behind = curve[-1] - curve[np.hypot(*(curve - curve[-1]).T) > 0.03 * size][-1]
     ahead = np.linspace(*RUNS_ON, 40)[:, None] * size * behind / np.hypot(*behind) + curve[-1]
     u, v = reading.frame.to_picture(ahead[:, 0], ahead[:, 1])
-    near = cv2.dilate(ink, np.ones((7, 7), np.uint8))
-    seen = cv2.remap(near, u.astype(np.float32)[None], v.astype(np.float32)[None], cv2.INTER_NEAREST)
+    du, dv = (offset.ravel() for offset in np.meshgrid(BESIDE_PX, BESIDE_PX))
+    near = (u[:, None] + du).astype(np.float32), (v[:, None] + dv).astype(np.float32)
+    seen = cv2.remap(ink, *near, cv2.INTER_NEAREST).max(axis=1)
     return bool((seen > 0.3).mean() > 0.8)
