@@ -136,9 +136,11 @@ def constrain(
             case Deleted() if heeded:
                 tracklets = without_run(tracklets, found[0].tracklet, half_breadth_px)
             case Crossing() if heeded:
-                tracklets, straight = crossed(tracklets, places[0], half_breadth_px)
-                crossings.append(straight)
+                arms, straight = crossed(tracklets, places[0], half_breadth_px)
                 heeded = len(straight.pairs) > 0 and len(straight.inward) + len(straight.outward) > 2
+                if heeded:
+                    tracklets = arms
+                    crossings.append(straight)
             case Joined() if heeded and found[0].tracklet != found[1].tracklet:
                 tracklets, pair = joined(tracklets, found[0], found[1], half_breadth_px)
                 joins.append(pair)

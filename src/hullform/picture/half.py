@@ -22,7 +22,15 @@ from hullform.picture.hand_drawn import course, rank_among, without_ink_of
 from hullform.picture.ink import Ink
 from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
 from hullform.picture.placing import REACH, Placed
-from hullform.picture.ridges import Peaks, Tracklet, find_peaks, find_tracklets, line_width, usable
+from hullform.picture.ridges import (
+    Peaks,
+    Tracklet,
+    find_peaks,
+    find_tracklets,
+    line_width,
+    usable,
+    without_hair_lines,
+)
 from hullform.picture.sheer import SheerLine, find_sheer
 from hullform.picture.side import top_of_side
 from hullform.picture.smoothing import Trace, smooth_traces
@@ -144,7 +152,7 @@ def pieces_of_curve(prepared: HalfInk, flank_px: float | None = None) -> list[Tr
     else:
         on_deck = (z > DECK_ZONE * depth_px) & (peaks.slope > LEVEL_SLOPE)
         above = z > (1.01 if prepared.deck_level_px is not None else 1.6) * depth_px
-    return find_tracklets(peaks.chosen(~(on_deck | above)))
+    return without_hair_lines(find_tracklets(peaks.chosen(~(on_deck | above))))
 
 
 def trace_half(

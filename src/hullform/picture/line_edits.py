@@ -20,7 +20,8 @@ Place = tuple[float, float]  # [column, row] of the frame
 LEAST_PIECE = 3  # peaks of a tracklet that is left over
 CUT_PX = 1  # peaks taken out to either side of a cut
 BEFORE_JUNCTION = 0.05  # of B/2: a line that goes on farther beyond the place to join is cut there
-ARM = 0.06  # of B/2: how far from a crossing its arms may end, where the lines run into each other
+ARM = 0.1  # of B/2: how far from a crossing its arms may end, where the lines run into each other
+MERGED = 1.2  # usual widths of a line: a ribbon so wide between the arms is both lines, and no arm
 CROSSING_PX = 5.0  # a line that passes so near goes through the crossing
 BLOT_PX = 5.0  # around a crossing, where no line has a direction of its own
 AIM_PX = 7.0  # by which an arm may miss the crossing
@@ -99,6 +100,7 @@ def cut(tracklets: list[Tracklet], at: Under) -> tuple[list[Tracklet], tuple[Pla
 def crossed(tracklets: list[Tracklet], at: Place, half_breadth_px: float) -> tuple[list[Tracklet], Straight]:
     """The tracklets, cut clear of the blot in the middle of a crossing, and which arm goes straight on as which."""
     arm = ARM * half_breadth_px
+    usual = float(np.median([np.median(line.width) for line in tracklets]))
     pieces: list[Tracklet] = []
     for line in tracklets:
         away = np.hypot(line.column - at[0], line.row - at[1])
@@ -108,7 +110,8 @@ def crossed(tracklets: list[Tracklet], at: Place, half_breadth_px: float) -> tup
         clear = np.concatenate([[False], away > BLOT_PX, [False]])
         edges = np.flatnonzero(np.diff(clear.astype(np.int8)))
         for start, stop in edges.reshape(-1, 2).tolist():
-            if stop - start >= LEAST_PIECE and away[start:stop].max() > arm / 2:  # shorter ones are the blot's
+            merged = float(np.median(line.width[start:stop])) > MERGED * usual and away[start:stop].max() < arm
+            if stop - start >= LEAST_PIECE and not merged:
                 pieces.append(line.chosen(np.arange(start, stop)))
     first, last = Ends.of(pieces, last=False), Ends.of(pieces, last=True)
     inward, outward = _arms(last, at, 1, arm), _arms(first, at, -1, arm)

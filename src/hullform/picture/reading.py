@@ -19,11 +19,11 @@ from hullform.picture.doubts import (
     doubts_of_edges,
     doubts_of_parallel_body,
     doubts_of_scale,
-    doubts_of_size,
 )
 from hullform.picture.effects import Unheeded, unheeded_corrections
 from hullform.picture.half import HalfReading, trace_half
-from hullform.picture.ink import Picture
+from hullform.picture.image_files import Picture
+from hullform.picture.input_check import check_input
 from hullform.picture.marks import near_curves, place_marks, unheeded
 from hullform.picture.naming import NO_CURVE, assign_stations, half_breadths_at, mark_distances
 from hullform.picture.placing import place_corrections
@@ -175,7 +175,9 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
     doubts += doubts_of_scale(str(path), readings, sheet.ink, sheet.bare, main.breadth_m, main.depth_m)
     doubts += doubts_of_counts(halves)
     doubts += doubts_of_parallel_body(halves, main.length_between_perpendiculars_m)
-    doubts += doubts_of_size(path.name, readings)
+    fine_notes, fine_doubts = check_input(path.name, sheet.halves.values(), sheet.size_px[0])
+    notes += fine_notes
+    doubts += fine_doubts
     doubts += doubts_of_edges(readings, sheet.bare)
     calibration = sheet.calibrated.calibration
     body_plan = BodyPlan(tuple(stations), "picture", sheet.reduction.stored(calibration), tuple(notes), tuple(doubts))

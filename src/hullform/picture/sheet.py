@@ -13,7 +13,8 @@ from hullform.errors import PictureError
 from hullform.picture.calibration import CalibratedSheet, calibrate
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.half import HalfInk, prepare_half
-from hullform.picture.ink import Ink, Picture, ink_of, load_grey
+from hullform.picture.image_files import Picture, load_grey
+from hullform.picture.ink import Ink, ink_of
 from hullform.picture.lines import find_lines, subtract_lines
 from hullform.picture.reduction import Reduction, reduced
 from hullform.ship import Ship
@@ -57,7 +58,7 @@ def prepare_sheet(ship: Ship) -> Sheet:
         PictureError: no readable picture, no calibration, or one that cannot be.
     """
     path, source, main = ship.body_plan.image_path, ship.body_plan, ship.particulars
-    whole = load_grey(path)
+    whole = load_grey(path, source.page)
     size_px = (whole.shape[1], whole.shape[0])
     grey, reduction = reduced(whole)
     del whole

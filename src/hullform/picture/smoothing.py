@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 SHORTEST_WAVE = 0.045  # of B/2: shorter waves along a curve are taken for noise
 WEIGHT_OF_SHARED = 0.04  # of a point in a ribbon of several curves, against 1 for one of its own
-WEIGHT_OF_GAP = 0.004  # of a point that nothing shows
+WEIGHT_OF_GAP = 1e-5  # of a point that nothing shows
 SAME_PLACE_PX = 2.0  # curves that lie so near each other at a knuckle all have it
 PASSES = 4  # of the robust fit
 BLOT = 0.25  # of B/2: how far from the keel point curves may still be merged
