@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.errors import HullformError, PictureError
-from hullform.picture.ink import load_grey
+from hullform.picture.image_files import load_grey
 from hullform.picture.reading import PictureReading, read_sheet
 from hullform.picture.sheet import Sheet, prepare_sheet
 from hullform.review.strip import straightened
@@ -26,7 +26,7 @@ Document = dict[str, Any]
 SHEETS_KEPT = 3  # calibrations that undo and redo go back to at once
 
 
-class SupersededError(HullformError):
+class SupersededError(Exception):
     """A later state of the review asked for a reading before this one began."""
 
 
@@ -41,7 +41,7 @@ class Desk:
     def __init__(self, ship: Ship) -> None:
         self.ship = ship
         self.saved: Review = read_review(ship) or new_review(ship)
-        rows, columns = load_grey(ship.body_plan.image_path).shape
+        rows, columns = load_grey(ship.body_plan.image_path, ship.body_plan.page).shape
         self.size_px = (columns, rows)
         self._sheets: OrderedDict[str, Sheet] = OrderedDict()
         self._reading: PictureReading | None = None

@@ -38,7 +38,8 @@ def review_app(desk: Desk, token: str) -> Starlette:
         return HTMLResponse(page)
 
     async def picture(_: Request) -> Response:
-        content, media_type = await run_in_threadpool(shown_picture, desk.ship.body_plan.image_path)
+        source = desk.ship.body_plan
+        content, media_type = await run_in_threadpool(shown_picture, source.image_path, source.page)
         return Response(content, media_type=media_type)
 
     async def opening(_: Request) -> Response:
