@@ -215,7 +215,8 @@ class ReviewPage:
         self.near(places[0])
         for place in places:
             self.into_sight(place)
-            self.click(place)
+            self.page.mouse.click(*self.at(place))
+        self.settle()
         if lined:
             self.press("Enter")
         assert len(self.corrections) >= before, self.page.locator("#hint").inner_text()

@@ -71,7 +71,7 @@ function forget(app) {
 
 function row(app, calibration, [name, label, unit, step, places]) {
   const report = (value) =>
-    app.change(withCalibration(app.document, { ...figuresOf(calibration), [name]: value }), `set the ${label}`);
+    app.change(withCalibration(app.document, { ...figuresOf(app.calibration), [name]: value }), `set the ${label}`);
   const value = Number(calibration[name].toFixed(places));
   return make("label", {}, label, numberInput(`figure ${name}`, label, value, step, report), make("span", {}, unit));
 }
@@ -80,7 +80,7 @@ function grid(app) {
   const spacing = gridSpacing(app);
   const set = (at) => (value) => {
     if (value <= 0) return;
-    app.gridSpacing = spacing.map((old, index) => (index === at ? value : old));
+    app.gridSpacing = gridSpacing(app).map((old, index) => (index === at ? value : old));
     app.changed();
   };
   const found = app.calibration.grid_m ? "found" : "shown";
@@ -98,7 +98,7 @@ function points(app) {
   const list = calibrateTool.points;
   if (!list.length) return make("p", { class: "quiet" }, "No point yet: click one in the picture. y is negative in the left half.");
   const set = (index, axis) => (value) => {
-    const changed = list.map((point, at) =>
+    const changed = calibrateTool.points.map((point, at) =>
       at === index ? { ...point, m: point.m.map((old, which) => (which === axis ? value : old)) } : point,
     );
     calibrateTool.setPoints(app, changed, "set a known point");
@@ -117,7 +117,7 @@ function points(app) {
         numberInput(`point ${index} z`, `height of point ${index + 1} in metres`, point.m[1], "any", set(index, 1)),
         make(
           "button",
-          { "aria-label": `Remove point ${index + 1}`, "data-key": `point ${index} gone`, class: "small", onclick: () => calibrateTool.setPoints(app, list.filter((_, at) => at !== index), "remove a known point") },
+          { "aria-label": `Remove point ${index + 1}`, "data-key": `point ${index} gone`, class: "small", onclick: () => calibrateTool.setPoints(app, calibrateTool.points.filter((_, at) => at !== index), "remove a known point") },
           "×",
         ),
       ),

@@ -1,9 +1,8 @@
 // The corrections in their order: click to select and see, × to take one back.
 
-import { byId, make, redraw } from "./dom.js";
+import { byId, make, redraw, shape } from "./dom.js";
 import { signOf } from "./glyphs.js";
-import { shape } from "./dom.js";
-import { corrections, describe, pointsOf, without, withReplaced } from "./review_document.js";
+import { correctionById, corrections, describe, pointsOf, without, withReplaced } from "./review_document.js";
 
 export function drawCorrections(app) {
   const all = corrections(app.document);
@@ -20,11 +19,14 @@ function row(app, one) {
   const doubt = app.reading?.unheeded[one.id];
   const show = () => {
     app.selectCorrection(one.id);
-    const points = pointsOf(one);
+    const points = pointsOf(app.selectedCorrection);
     if (!points.some((point) => app.viewport.inSight(point))) app.viewport.show(points, app.viewport.scale);
   };
-  const bend = () =>
-    app.change(withReplaced(app.document, { ...one, smooth: one.smooth === false }), one.smooth === false ? "make it smooth" : "make it straight");
+  const bend = () => {
+    const now = correctionById(app.document, one.id);
+    const smooth = now.smooth === false;
+    app.change(withReplaced(app.document, { ...now, smooth }), smooth ? "make it smooth" : "make it straight");
+  };
   return make(
     "li",
     { class: chosen ? "chosen" : "" },

@@ -23,13 +23,21 @@ export const shape = (name, attributes = {}, ...children) =>
 export const pathOf = (points, closed = false) =>
   points.map(([u, v], index) => `${index ? "L" : "M"}${u} ${v}`).join("") + (closed ? "Z" : "");
 
+const drawnBefore = new WeakMap();
+
 // Elements that take the focus carry data-key, by which the focus finds its place again; what is being typed stays.
 export function redraw(container, children) {
+  const wanted = children.filter(Boolean);
+  // what is the same stays, so that a press on it that is under way is not lost; so handlers look up what they need
+  const html = wanted.map((child) => child.outerHTML).join("");
+  const values = [...container.querySelectorAll("input, textarea")].some((input) => input.value !== input.defaultValue);
+  if (drawnBefore.get(container) === html && !values) return;
+  drawnBefore.set(container, html);
   const active = document.activeElement;
   const key = container.contains(active) ? active.dataset.key : undefined;
   const typed = key !== undefined && "value" in active && active.dataset.dirty !== undefined ? active.value : null;
   const scrolled = [...container.querySelectorAll("[data-scroll]")].map((one) => [one.dataset.scroll, one.scrollTop]);
-  container.replaceChildren(...children.filter(Boolean));
+  container.replaceChildren(...wanted);
   for (const [name, top] of scrolled) {
     const again = container.querySelector(`[data-scroll="${name}"]`);
     if (again) again.scrollTop = top;

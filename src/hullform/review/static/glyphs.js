@@ -5,7 +5,7 @@ import { smoothThrough } from "./geometry.js";
 import { pointsOf } from "./review_document.js";
 
 const CLOSED = new Set(["ignore"]);
-const LINED = new Set(["drawn", "deck", "ignore", "join", "together"]);
+export const LINED = new Set(["drawn", "deck", "ignore", "join", "together"]);
 
 export function lineOf(correction) {
   const points = pointsOf(correction);

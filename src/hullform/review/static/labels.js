@@ -2,7 +2,7 @@
 
 import { byId, shape } from "./dom.js";
 import { mapped } from "./geometry.js";
-import { signOf } from "./glyphs.js";
+import { LINED, signOf } from "./glyphs.js";
 import { sameStation } from "./layers.js";
 import { pointsOf } from "./review_document.js";
 
@@ -99,7 +99,7 @@ export class Labels {
         out.push(
           shape("path", {
             d: signOf(one.kind),
-            transform: `translate(${x} ${y})`,
+            transform: `translate(${x} ${y}) scale(${chosen || !LINED.has(one.kind) ? 1 : 0.6})`,
             class: `sign ${one.kind}${chosen ? " chosen" : ""}`,
             "data-correction": one.id,
             "data-point": index,

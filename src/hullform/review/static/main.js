@@ -95,7 +95,7 @@ async function start() {
   byId("ship-name").textContent = app.ship.name;
   document.title = `Review: ${app.ship.name}`;
   const { length_overall_m, breadth_m, depth_m, draught_m } = app.ship;
-  byId("ship-figures").textContent = `LOA ${length_overall_m} m, B ${breadth_m} m, D ${depth_m} m, T ${draught_m} m; ${app.picture.file}, ${app.picture.width_px} × ${app.picture.height_px} px`;
+  byId("ship-figures").textContent = `LOA ${length_overall_m} m, B ${breadth_m} m, D ${depth_m} m, T ${draught_m} m; ${app.picture.file.split(/[\\/]/).at(-1)}, ${app.picture.width_px} × ${app.picture.height_px} px`;
   listen(app, stage);
   listenToKeys(app);
   fillHelp();

@@ -104,7 +104,7 @@ function editor(app) {
       app.say("The lists of stations are numbers in metres, apart by commas.");
       return;
     }
-    app.change(withStations(app.document, { ...stations, ...Object.fromEntries(lists) }), "change the stations");
+    app.change(withStations(app.document, { ...app.stations, ...Object.fromEntries(lists) }), "change the stations");
   };
   const swap = () => {
     const aft_side = stations.aft_side === "left" ? "right" : "left";

@@ -1,7 +1,7 @@
 // The tools, in the order of their buttons, and the buttons.
 
 import { calibrateTool } from "./calibrate_tool.js";
-import { byId, make } from "./dom.js";
+import { byId, make, redraw } from "./dom.js";
 import { deckTool, drawTool, ignoreTool } from "./line_tools.js";
 import { cutTool, crossTool, deleteTool, joinTool, knuckleTool, markTool, togetherTool } from "./point_tools.js";
 import { selectTool } from "./select_tool.js";
@@ -57,7 +57,7 @@ export function drawTools(app) {
       make("kbd", {}, key),
     );
   const { shown } = app;
-  byId("tools").replaceChildren(
+  redraw(byId("tools"), [
     ...buttons,
     make("hr"),
     toggle("H", "curves", shown.curves, () => (shown.curves = !shown.curves), "Show or hide the traced curves"),
@@ -66,5 +66,5 @@ export function drawTools(app) {
     toggle("F", "fade", app.faded, () => (app.faded = !app.faded), "Fade the picture under what is drawn over it"),
     toggle("P", "snap", app.snapping, () => (app.snapping = !app.snapping), "Clicks go to the nearest line (Alt: not this one)"),
     make("button", { class: "toggle", "data-key": "help", onclick: () => byId("help").showModal() }, "keys", make("kbd", {}, "?")),
-  );
+  ]);
 }

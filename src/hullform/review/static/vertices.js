@@ -37,9 +37,10 @@ export function grabPoint(app, px) {
   const found = pointAt(app, px);
   if (!found) return null;
   let { correction } = found;
-  app.selectCorrection(correction.id);
   return {
     move(to, event) {
+      // only now: a mere click there is the tool's, for the station that is chosen
+      if (app.correction !== correction.id) app.selectCorrection(correction.id);
       correction = withPoint(correction, found.index, app.snap(to, event));
       app.tentative = withReplaced(app.history.document, correction);
       app.changed("preview");
