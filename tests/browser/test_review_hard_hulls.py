@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from person import GOOD, corrected, corrections_of
-from playwright.sync_api import Browser, sync_playwright
+from playwright.sync_api import Browser, Playwright
 from real_hull import real_hull
 from review_page import QUIET, ReviewPage, find_chromium, served
 
@@ -28,12 +28,10 @@ deadweight_t = {deadweight_t:.0f}
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    path = find_chromium()
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=path, args=list(QUIET))
-        yield browser
-        browser.close()
+def browser(driver: Playwright) -> Iterator[Browser]:
+    browser = driver.chromium.launch(executable_path=find_chromium(), args=list(QUIET))
+    yield browser
+    browser.close()
 
 
 @pytest.mark.parametrize("name", ["container165", "gunnerus"])
@@ -81,7 +79,8 @@ def test_review_brings_every_station(
         print(
             f"\n{name}: {wrong} of {len(alone)} wrong; {len(made)} corrections: worst RMS {max(misfits):.2f} % of B/2"
         )
-    # what the list alone reaches, and what the mouse adds: 1 px of some 830 for B/2 is 0.12 %
-    assert max(misfits) <= GOOD
+    # The list alone comes to GOOD or less. The mouse stands on whole pixels of the screen, two thirds of one of the
+    # picture: up to 0.33 px of some 830 for B/2, which in quadrature is less than 0.01 % more.
+    assert max(misfits) <= GOOD + 0.01
     assert main(["run", str(hull.toml), "-o", str(tmp_path / "results")]) in (DONE, DOUBTS)
     assert (tmp_path / "results" / "report.html").is_file()
