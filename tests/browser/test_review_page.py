@@ -65,6 +65,14 @@ def test_page_shows_picture_curves_and_counts_and_asks_nobody_else(browser: Brow
     assert page.locator(".dot").count() == 20
     assert page.locator(".waterline").count() == 5
     assert page.evaluate("document.documentElement.scrollWidth") <= 1024
+    # the longest hint of all leaves the picture and the panel where they are
+    review.press("b")
+    page.get_by_role("button", name="Known points").click()
+    stage, panel = (page.locator(name).bounding_box() for name in ("#stage", "aside"))
+    assert stage is not None
+    assert panel is not None
+    assert stage["x"] + stage["width"] <= panel["x"] + 0.5
+    assert panel["x"] + panel["width"] <= 1024
     assert [url for url in asked if not url.startswith((address, "data:"))] == []
     assert review.said == []
     page.close()

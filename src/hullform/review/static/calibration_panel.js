@@ -37,7 +37,7 @@ export function drawCalibration(app) {
           "data-key": "confirm",
           class: given ? "" : "main",
           disabled: !app.reading || Boolean(given),
-          onclick: () => app.change(withCalibration(app.document, confirmed(app.reading.calibration, app.ship)), "confirm the calibration"),
+          onclick: () => confirm(app),
         },
         "Confirm",
       ),
@@ -64,7 +64,15 @@ export function drawCalibration(app) {
   ]);
 }
 
+function confirm(app) {
+  // known points stand for any calibration, but no grid is looked for with them
+  app.gridSpacing = gridSpacing(app);
+  const kept = confirmed(app.reading.calibration, app.ship);
+  app.change(withCalibration(app.document, kept), "confirm the calibration");
+}
+
 function forget(app) {
+  app.gridSpacing = null;
   calibrateTool.points = [];
   app.change(withCalibration(app.document, null), "forget the calibration");
 }

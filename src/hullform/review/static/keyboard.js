@@ -3,16 +3,11 @@
 import { byId, make } from "./dom.js";
 import { nextDoubtful } from "./doubtful.js";
 import { deleteSelected } from "./point_tools.js";
-import { TOOLS, toolByKey } from "./tools.js";
+import { flip, TOGGLES, toggleByKey, TOOLS, toolByKey } from "./tools.js";
 
 const STEP_PX = 60; // of the screen, by an arrow key
 const ZOOM_STEP = 1.25;
 const ARROWS = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-
-const flip = (app, name) => {
-  app.shown[name] = !app.shown[name];
-  app.changed();
-};
 
 const PLAIN = {
   "+": (app) => app.viewport.zoomAt(ZOOM_STEP),
@@ -21,17 +16,6 @@ const PLAIN = {
   0: (app) => app.viewport.fit(),
   n: nextDoubtful,
   s: (app) => app.save(),
-  g: (app) => flip(app, "grid"),
-  h: (app) => flip(app, "curves"),
-  u: (app) => flip(app, "lines"),
-  f: (app) => {
-    app.faded = !app.faded;
-    app.changed();
-  },
-  p: (app) => {
-    app.snapping = !app.snapping;
-    app.changed();
-  },
   "?": () => byId("help").showModal(),
   Enter: (app) => app.tool.finish?.(app),
   Escape: (app) => (app.tool.cancel ? app.tool.cancel(app) : app.selectStation(null)),
@@ -54,11 +38,12 @@ export function listenToKeys(app) {
       if (event.target.closest("aside")) return;
       const [dx, dy] = ARROWS[event.key];
       app.viewport.panBy(dx * STEP_PX, dy * STEP_PX);
-    } else if (!app.tool.letter?.(app, event.key.toLowerCase())) {
+    } else {
       const act = PLAIN[event.key] ?? PLAIN[event.key.toLowerCase()];
-      const tool = toolByKey(event.key);
+      const [tool, choice] = [toolByKey(event.key), toggleByKey(event.key)];
       if (act) act(app);
       else if (tool) app.choose(tool);
+      else if (choice) flip(app, choice);
       else return;
     }
     event.preventDefault();
@@ -84,17 +69,14 @@ const OTHERS = [
   ["Esc", "drop what was begun"],
   ["Backspace", "take back the last point"],
   ["Delete", "remove the selected correction"],
-  ["L", "while drawing: smooth or straight"],
-  ["2", "while drawing: the station's second contour"],
   ["Alt", "with a click: exactly here, not on the nearest line"],
   ["N", "next doubtful station"],
-  ["H G U F P", "curves, grid, unused lines, fade, snap"],
   ["Ctrl-Z", "undo; Ctrl-Shift-Z or Ctrl-Y redo"],
   ["S", "save; Ctrl-S too"],
 ];
 
 export function fillHelp() {
-  const rows = [...TOOLS.map((tool) => [tool.key.toUpperCase(), tool.title]), ...OTHERS];
+  const rows = [...TOOLS, ...TOGGLES].map((one) => [one.key.toUpperCase(), one.title]).concat(OTHERS);
   byId("help").append(
     make("h2", {}, "Keys"),
     make("dl", {}, ...rows.flatMap(([keys, words]) => [make("dt", {}, make("kbd", {}, keys)), make("dd", {}, words)])),

@@ -79,8 +79,8 @@ export const drawTool = gathering({
     if (!station) return "Choose a station in the list, then click points along its curve from keel to deck.";
     const which = `${app.secondContour ? "the second contour" : "the curve"} of station ${station.x_m} (${station.half})`;
     return this.points.length
-      ? `${this.points.length} points of ${which}. Enter ends, Backspace takes one back, Esc drops them, L: ${this.smooth ? "smooth" : "straight"}.`
-      : `Click points along ${which}, keel to deck. L: ${this.smooth ? "smooth" : "straight"} pieces; 2: the other contour.`;
+      ? `${this.points.length} points of ${which}. Enter ends, Backspace takes one back, Esc drops them.`
+      : `Click points along ${which}, keel to deck, ${this.smooth ? "smooth" : "straight"} between them (L); 2 for the other contour.`;
   },
   enter(app) {
     if (!app.station) app.station = { half: "aft", x_m: app.stations.aft_stations_m[0] };
@@ -91,13 +91,6 @@ export const drawTool = gathering({
   },
   smooths() {
     return this.smooth;
-  },
-  letter(app, key) {
-    if (key === "l") this.smooth = !this.smooth;
-    else if (key === "2") app.secondContour = !app.secondContour;
-    else return false;
-    app.changed();
-    return true;
   },
   done(app, points) {
     const { half, x_m } = app.station;

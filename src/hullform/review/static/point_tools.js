@@ -105,7 +105,8 @@ export const markTool = {
   hint(app) {
     const { station } = app;
     if (!station) return "Choose a station in the list, then click its curve.";
-    return `Click the curve of station ${station.x_m} (${station.half}); the next station follows by itself.`;
+    const which = app.secondContour ? "second contour" : "curve";
+    return `Click the ${which} of station ${station.x_m} (${station.half}); the next station follows by itself.`;
   },
   enter(app) {
     if (!app.station) app.station = { half: "aft", x_m: app.stations.aft_stations_m[0] };
@@ -120,7 +121,7 @@ export const markTool = {
     const mark = { kind: "mark", station_m: x_m, half, px: app.snap(px, event), curve: app.secondContour ? 1 : 0 };
     const next = stationAfter(app, app.station);
     app.change(withOnly(app.document, mark), `mark station ${x_m}`);
-    app.selectStation(next ?? app.station);
+    if (!app.secondContour && next) app.selectStation(next);
   },
 };
 

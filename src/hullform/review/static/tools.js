@@ -1,4 +1,4 @@
-// The tools, in the order of their buttons, and the buttons.
+// The tools and the choices beside them, in the order of their buttons, and the buttons.
 
 import { calibrateTool } from "./calibrate_tool.js";
 import { byId, make, redraw } from "./dom.js";
@@ -23,6 +23,45 @@ export const TOOLS = [
 
 export const toolByKey = (key) => TOOLS.find((tool) => tool.key === key.toLowerCase());
 
+const shown = (key, name, layer, title) => ({
+  key,
+  name,
+  title,
+  is: (app) => app.shown[layer],
+  set: (app, on) => (app.shown[layer] = on),
+});
+
+const chosen = (key, name, property, title) => ({
+  key,
+  name,
+  title,
+  is: (app) => app[property],
+  set: (app, on) => (app[property] = on),
+});
+
+export const TOGGLES = [
+  chosen("2", "2nd contour", "secondContour", "Mark or draw the station's second contour"),
+  {
+    key: "l",
+    name: "smooth",
+    title: "Draw smooth curves, or straight pieces",
+    is: () => drawTool.smooth,
+    set: (_, on) => (drawTool.smooth = on),
+  },
+  chosen("p", "snap", "snapping", "Clicks go to the nearest line (with Alt: exactly where you point)"),
+  shown("h", "curves", "curves", "Show or hide the traced curves"),
+  shown("g", "grid", "grid", "Show or hide the predicted grid"),
+  shown("u", "unused", "lines", "Show the lines that no curve took"),
+  chosen("f", "fade", "faded", "Fade the picture under what is drawn over it"),
+];
+
+export const toggleByKey = (key) => TOGGLES.find((choice) => choice.key === key.toLowerCase());
+
+export function flip(app, choice) {
+  choice.set(app, !choice.is(app));
+  app.changed();
+}
+
 export function drawTools(app) {
   const buttons = TOOLS.map((tool) =>
     make(
@@ -39,32 +78,27 @@ export function drawTools(app) {
       make("kbd", {}, tool.key.toUpperCase()),
     ),
   );
-  const toggle = (key, label, on, flip, title) =>
+  const toggles = TOGGLES.map((choice) =>
     make(
       "button",
       {
         class: "toggle",
-        "data-key": `toggle ${label}`,
-        "data-toggle": label,
-        "aria-pressed": String(on),
-        title,
-        onclick: () => {
-          flip();
-          app.changed();
-        },
+        "data-key": `toggle ${choice.name}`,
+        "data-toggle": choice.name,
+        "aria-pressed": String(choice.is(app)),
+        "aria-keyshortcuts": choice.key.toUpperCase(),
+        title: choice.title,
+        onclick: () => flip(app, choice),
       },
-      label,
-      make("kbd", {}, key),
-    );
-  const { shown } = app;
-  redraw(byId("tools"), [
-    ...buttons,
-    make("hr"),
-    toggle("H", "curves", shown.curves, () => (shown.curves = !shown.curves), "Show or hide the traced curves"),
-    toggle("G", "grid", shown.grid, () => (shown.grid = !shown.grid), "Show or hide the predicted grid"),
-    toggle("U", "unused", shown.lines, () => (shown.lines = !shown.lines), "Show the lines that no curve took"),
-    toggle("F", "fade", app.faded, () => (app.faded = !app.faded), "Fade the picture under what is drawn over it"),
-    toggle("P", "snap", app.snapping, () => (app.snapping = !app.snapping), "Clicks go to the nearest line (Alt: not this one)"),
-    make("button", { class: "toggle", "data-key": "help", onclick: () => byId("help").showModal() }, "keys", make("kbd", {}, "?")),
-  ]);
+      choice.name,
+      make("kbd", {}, choice.key.toUpperCase()),
+    ),
+  );
+  const keys = make(
+    "button",
+    { class: "toggle", "data-key": "help", title: "All keys", onclick: () => byId("help").showModal() },
+    "keys",
+    make("kbd", {}, "?"),
+  );
+  redraw(byId("tools"), [...buttons, make("hr"), ...toggles, keys]);
 }
