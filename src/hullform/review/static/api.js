@@ -13,7 +13,9 @@ async function call(method, path, body) {
       body: body === undefined ? undefined : JSON.stringify(body),
     });
   } catch {
-    throw new Error("The server does not answer. Was 'hullform review' ended? Start it again; the page keeps your changes.");
+    throw new Error(
+      "The server does not answer. Was 'hullform review' ended? Start it again; the page keeps your changes.",
+    );
   }
   const document = await answer.json().catch(() => ({ message: `The server failed (${answer.status}).` }));
   if (answer.status === 409) throw new Superseded(document.message);

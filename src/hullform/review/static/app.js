@@ -17,6 +17,7 @@ export class App {
     this.viewport = viewport;
     this.history = new History(opened.review);
     this.reading = opened.reading;
+    this.gridFound = opened.reading?.calibration.grid_m; // the last one: with known points none is looked for
     this.failure = opened.failure;
     this.version = 0;
     this.station = null; // { half, x_m }: the one that marks and drawn curves are for
@@ -172,6 +173,7 @@ export class App {
         this.roundTripMs = performance.now() - began;
         this.failure = null;
         this.version += 1;
+        this.gridFound = this.reading.calibration.grid_m ?? this.gridFound;
       } catch (error) {
         if (!(error instanceof api.Superseded)) this.failure = error.message;
       }

@@ -13,10 +13,10 @@ function places({ breadth_m, depth_m }) {
   return {
     "centre line": [0, 0.62 * depth_m],
     "base line": [0.3 * half, 0],
-    "turn": [-1.08 * half, 0],
+    turn: [-1.08 * half, 0],
     "B/2": [half, 0.4 * depth_m],
     "B/2 left": [-half, 0.4 * depth_m],
-    "depth": [0.3 * half, depth_m],
+    depth: [0.3 * half, depth_m],
   };
 }
 
@@ -29,7 +29,7 @@ export const calibrateTool = {
   points: [], // known points, while there are too few for a scale
   hint() {
     return this.pointMode
-      ? "Click a place whose half-breadth and height you know, then type them at the side. Two or more are needed, four to eight are good."
+      ? "Click places whose half-breadth and height you know, and type these at the side: two, better four to eight."
       : "Drag the centre line, base line, B/2 and depth onto those of the drawing; the ring at the left turns all.";
   },
   setPointMode(app, on) {

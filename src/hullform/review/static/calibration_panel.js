@@ -65,14 +65,11 @@ export function drawCalibration(app) {
 }
 
 function confirm(app) {
-  // known points stand for any calibration, but no grid is looked for with them
-  app.gridSpacing = gridSpacing(app);
   const kept = confirmed(app.reading.calibration, app.ship);
   app.change(withCalibration(app.document, kept), "confirm the calibration");
 }
 
 function forget(app) {
-  app.gridSpacing = null;
   calibrateTool.points = [];
   app.change(withCalibration(app.document, null), "forget the calibration");
 }
@@ -104,7 +101,8 @@ function grid(app) {
 
 function points(app) {
   const list = calibrateTool.points;
-  if (!list.length) return make("p", { class: "quiet" }, "No point yet: click one in the picture. y is negative in the left half.");
+  if (!list.length)
+    return make("p", { class: "quiet" }, "No point yet: click one in the picture. y is negative in the left half.");
   const set = (index, axis) => (value) => {
     const changed = calibrateTool.points.map((point, at) =>
       at === index ? { ...point, m: point.m.map((old, which) => (which === axis ? value : old)) } : point,
@@ -118,14 +116,30 @@ function points(app) {
       make(
         "li",
         {},
-        make("span", {}, `${point.px.map((value) => value.toFixed(1)).join(", ")} px`),
+        make("span", {}, `${point.px.map((value) => value.toFixed(0)).join(", ")} px`),
         "y",
-        numberInput(`point ${index} y`, `half-breadth of point ${index + 1} in metres`, point.m[0], "any", set(index, 0)),
+        numberInput(
+          `point ${index} y`,
+          `half-breadth of point ${index + 1} in metres`,
+          point.m[0],
+          "any",
+          set(index, 0),
+        ),
         "z",
         numberInput(`point ${index} z`, `height of point ${index + 1} in metres`, point.m[1], "any", set(index, 1)),
         make(
           "button",
-          { "aria-label": `Remove point ${index + 1}`, "data-key": `point ${index} gone`, class: "small", onclick: () => calibrateTool.setPoints(app, calibrateTool.points.filter((_, at) => at !== index), "remove a known point") },
+          {
+            "aria-label": `Remove point ${index + 1}`,
+            "data-key": `point ${index} gone`,
+            class: "small",
+            onclick: () =>
+              calibrateTool.setPoints(
+                app,
+                calibrateTool.points.filter((_, at) => at !== index),
+                "remove a known point",
+              ),
+          },
           "×",
         ),
       ),

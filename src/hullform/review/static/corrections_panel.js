@@ -11,7 +11,9 @@ export function drawCorrections(app) {
     redraw(body, [make("p", { class: "quiet" }, "None yet. What you mark, cut, join or draw is listed here.")]);
     return;
   }
-  redraw(body, [make("ol", { class: "corrections", "data-scroll": "corrections" }, ...all.map((one) => row(app, one)))]);
+  redraw(body, [
+    make("ol", { class: "corrections", "data-scroll": "corrections" }, ...all.map((one) => row(app, one))),
+  ]);
 }
 
 function row(app, one) {
@@ -32,17 +34,36 @@ function row(app, one) {
     { class: chosen ? "chosen" : "" },
     make(
       "button",
-      { class: "correction", "data-key": `correction ${one.id}`, "data-correction": one.id, "aria-pressed": String(chosen), onclick: show },
-      shape("svg", { viewBox: "-8 -8 16 16", width: 14, height: 14, "aria-hidden": "true" }, shape("path", { d: signOf(one.kind), class: `sign ${one.kind}` })),
+      {
+        class: "correction",
+        "data-key": `correction ${one.id}`,
+        "data-correction": one.id,
+        "aria-pressed": String(chosen),
+        onclick: show,
+      },
+      shape(
+        "svg",
+        { viewBox: "-8 -8 16 16", width: 14, height: 14, "aria-hidden": "true" },
+        shape("path", { d: signOf(one.kind), class: `sign ${one.kind}` }),
+      ),
       describe(one),
       doubt ? make("span", { class: "warning", title: doubt }, "no effect") : null,
     ),
     one.kind === "drawn"
-      ? make("button", { class: "small", "data-key": `bend ${one.id}`, onclick: bend }, one.smooth === false ? "straight" : "smooth")
+      ? make(
+          "button",
+          { class: "small", "data-key": `bend ${one.id}`, onclick: bend },
+          one.smooth === false ? "straight" : "smooth",
+        )
       : null,
     make(
       "button",
-      { class: "small", "data-key": `drop ${one.id}`, "aria-label": `Remove ${describe(one)}`, onclick: () => app.change(without(app.document, one.id), `remove ${one.kind}`) },
+      {
+        class: "small",
+        "data-key": `drop ${one.id}`,
+        "aria-label": `Remove ${describe(one)}`,
+        onclick: () => app.change(without(app.document, one.id), `remove ${one.kind}`),
+      },
       "×",
     ),
   );

@@ -14,8 +14,7 @@ function filled(element, attributes, children) {
   return element;
 }
 
-export const make = (name, attributes = {}, ...children) =>
-  filled(document.createElement(name), attributes, children);
+export const make = (name, attributes = {}, ...children) => filled(document.createElement(name), attributes, children);
 
 export const shape = (name, attributes = {}, ...children) =>
   filled(document.createElementNS(SVG, name), attributes, children);

@@ -6,9 +6,7 @@ export function doubtful(app) {
   const rows = (app.reading?.halves ?? []).flatMap((one) =>
     one.stations.filter((row) => row.standing in SEVERITY).map((row) => ({ half: one.half, ...row })),
   );
-  return rows.sort(
-    (a, b) => SEVERITY[a.standing] - SEVERITY[b.standing] || (a.confidence ?? 0) - (b.confidence ?? 0),
-  );
+  return rows.sort((a, b) => SEVERITY[a.standing] - SEVERITY[b.standing] || (a.confidence ?? 0) - (b.confidence ?? 0));
 }
 
 export function nextDoubtful(app) {

@@ -11,11 +11,18 @@ export function drawDoubts(app) {
   redraw(body, [
     doubts.length
       ? make("ul", { class: "doubts" }, ...doubts.map((words, index) => make("li", {}, entry(app, words, index))))
-      : make("p", { class: "quiet" }, app.reading ? "None: all stations were found and the checks hold." : "Nothing was read."),
+      : make(
+          "p",
+          { class: "quiet" },
+          app.reading ? "None: all stations were found and the checks hold." : "Nothing was read.",
+        ),
     notes.length
-      ? make("details", { open: app.readingNotes, ontoggle: (event) => (app.readingNotes = event.target.open) },
+      ? make(
+          "details",
+          { open: app.readingNotes, ontoggle: (event) => (app.readingNotes = event.target.open) },
           make("summary", { "data-key": "notes" }, `Notes (${notes.length})`),
-          make("ul", { class: "notes" }, ...notes.map((words) => make("li", {}, words))))
+          make("ul", { class: "notes" }, ...notes.map((words) => make("li", {}, words))),
+        )
       : null,
   ]);
 }

@@ -42,25 +42,30 @@ function areas(app) {
   const largest = Math.max(...points.map((point) => point.area_m2), 1e-9);
   const at = scales(app, largest);
   const places = points.map((point) => at(point.x_m, point.area_m2));
-  return frame(app, "Sectional areas to the draught along the ship", `area to T = ${app.ship.draught_m} m, up to ${largest.toPrecision(3)} m²`, [
-    shape("path", { d: pathOf(places), class: "area-line" }),
-    ...points.map((point, index) => {
-      const station = { half: point.half, x_m: point.x_m };
-      const dot = shape(
-        "circle",
-        {
-          cx: places[index][0],
-          cy: places[index][1],
-          r: sameStation(station, app.station) ? 5 : 3,
-          class: `dot ${standing(app, station)}${sameStation(station, app.station) ? " chosen" : ""}`,
-          "data-area": `${point.half}:${point.x_m}`,
-          onclick: () => app.selectStation(station),
-        },
-        shape("title", {}, `${point.half} ${point.x_m} m: ${point.area_m2.toPrecision(4)} m²`),
-      );
-      return dot;
-    }),
-  ]);
+  return frame(
+    app,
+    "Sectional areas to the draught along the ship",
+    `area to T = ${app.ship.draught_m} m, up to ${largest.toPrecision(3)} m²`,
+    [
+      shape("path", { d: pathOf(places), class: "area-line" }),
+      ...points.map((point, index) => {
+        const station = { half: point.half, x_m: point.x_m };
+        const dot = shape(
+          "circle",
+          {
+            cx: places[index][0],
+            cy: places[index][1],
+            r: sameStation(station, app.station) ? 5 : 3,
+            class: `dot ${standing(app, station)}${sameStation(station, app.station) ? " chosen" : ""}`,
+            "data-area": `${point.half}:${point.x_m}`,
+            onclick: () => app.selectStation(station),
+          },
+          shape("title", {}, `${point.half} ${point.x_m} m: ${point.area_m2.toPrecision(4)} m²`),
+        );
+        return dot;
+      }),
+    ],
+  );
 }
 
 const standing = (app, station) => app.rowOf(station)?.standing ?? "missing";
@@ -69,10 +74,21 @@ function lines(app) {
   const at = scales(app, app.ship.breadth_m / 2);
   const drawn = app.reading.waterlines;
   const heights = drawn.map((line) => Number(line.height_m.toPrecision(3)));
-  return frame(app, "Waterlines in plan", `waterlines at ${heights.join(", ")} m`, [
-    ...drawn.map((line, index) =>
-      shape("path", { d: pathOf(line.points.map(([x, y]) => at(x, y))), class: "waterline", style: `opacity:${0.35 + (0.65 * (index + 1)) / drawn.length}` }),
-    ),
-    app.station ? shape("path", { d: `M${at(app.station.x_m, 0)[0]} ${MARGIN.top}V${HEIGHT - MARGIN.bottom}`, class: "here" }) : null,
-  ].filter(Boolean));
+  return frame(
+    app,
+    "Waterlines in plan",
+    `waterlines at ${heights.join(", ")} m`,
+    [
+      ...drawn.map((line, index) =>
+        shape("path", {
+          d: pathOf(line.points.map(([x, y]) => at(x, y))),
+          class: "waterline",
+          style: `opacity:${0.35 + (0.65 * (index + 1)) / drawn.length}`,
+        }),
+      ),
+      app.station
+        ? shape("path", { d: `M${at(app.station.x_m, 0)[0]} ${MARGIN.top}V${HEIGHT - MARGIN.bottom}`, class: "here" })
+        : null,
+    ].filter(Boolean),
+  );
 }

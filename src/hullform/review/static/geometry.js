@@ -55,7 +55,15 @@ export function smoothThrough(points, pieces = 12) {
     for (let k = 1; k < 4; k += 1) knots.push(knots[k - 1] + Math.max(1e-6, Math.sqrt(distance(four[k], four[k - 1]))));
     for (let piece = 1; piece <= pieces; piece += 1) {
       const t = knots[1] + ((knots[2] - knots[1]) * piece) / pieces;
-      out.push([0, 1].map((axis) => catmullRom(four.map((point) => point[axis]), knots, t)));
+      out.push(
+        [0, 1].map((axis) =>
+          catmullRom(
+            four.map((point) => point[axis]),
+            knots,
+            t,
+          ),
+        ),
+      );
     }
   }
   return out;

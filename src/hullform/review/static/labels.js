@@ -95,7 +95,9 @@ export class Labels {
     for (const one of app.document.corrections ?? []) {
       for (const [index, px] of pointsOf(one).entries()) {
         const [x, y] = app.viewport.toScreen(px);
-        const chosen = one.id === app.correction || (one.station_m !== undefined && sameStation({ half: one.half, x_m: one.station_m }, app.station));
+        const chosen =
+          one.id === app.correction ||
+          (one.station_m !== undefined && sameStation({ half: one.half, x_m: one.station_m }, app.station));
         out.push(
           shape("path", {
             d: signOf(one.kind),

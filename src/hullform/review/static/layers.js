@@ -33,9 +33,7 @@ export class Layers {
     for (const [name, shown] of Object.entries(app.shown)) parts[name].toggleAttribute("hidden", !shown);
     parts.grid.replaceChildren(...this.#grid());
     parts.frame.replaceChildren(...this.#frame());
-    parts.lines.replaceChildren(
-      ...(app.reading?.unused ?? []).map((line) => shape("path", { d: pathOf(line.px) })),
-    );
+    parts.lines.replaceChildren(...(app.reading?.unused ?? []).map((line) => shape("path", { d: pathOf(line.px) })));
     parts.sheer.replaceChildren(
       ...Object.values(app.reading?.sheer ?? {}).map((px) => shape("path", { d: pathOf(px) })),
     );
@@ -99,5 +97,7 @@ export class Layers {
 
 export function gridSpacing(app) {
   const { breadth_m, depth_m } = app.ship;
-  return app.gridSpacing ?? app.calibration.grid_m ?? [roundSpacing(breadth_m / 2), roundSpacing(depth_m)];
+  return (
+    app.gridSpacing ?? app.calibration.grid_m ?? app.gridFound ?? [roundSpacing(breadth_m / 2), roundSpacing(depth_m)]
+  );
 }

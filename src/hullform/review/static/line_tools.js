@@ -77,10 +77,12 @@ export const drawTool = gathering({
   hint(app) {
     const { station } = app;
     if (!station) return "Choose a station in the list, then click points along its curve from keel to deck.";
-    const which = `${app.secondContour ? "the second contour" : "the curve"} of station ${station.x_m} (${station.half})`;
+    const contour = app.secondContour ? "the second contour" : "the curve";
+    const which = `${contour} of station ${station.x_m} (${station.half})`;
+    const between = this.smooth ? "smooth" : "straight";
     return this.points.length
       ? `${this.points.length} points of ${which}. Enter ends, Backspace takes one back, Esc drops them.`
-      : `Click points along ${which}, keel to deck, ${this.smooth ? "smooth" : "straight"} between them (L); 2 for the other contour.`;
+      : `Click points along ${which}, keel to deck, ${between} between them (L); 2: the other contour.`;
   },
   enter(app) {
     if (!app.station) app.station = { half: "aft", x_m: app.stations.aft_stations_m[0] };
@@ -94,7 +96,14 @@ export const drawTool = gathering({
   },
   done(app, points) {
     const { half, x_m } = app.station;
-    const drawn = { kind: "drawn", station_m: x_m, half, curve: app.secondContour ? 1 : 0, px: points, smooth: this.smooth };
+    const drawn = {
+      kind: "drawn",
+      station_m: x_m,
+      half,
+      curve: app.secondContour ? 1 : 0,
+      px: points,
+      smooth: this.smooth,
+    };
     app.change(withOnly(app.document, drawn), `draw station ${x_m}`);
     const next = stationAfter(app, app.station);
     if (!app.secondContour && next) app.selectStation(next);

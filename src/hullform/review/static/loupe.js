@@ -45,7 +45,12 @@ export class Loupe {
     context.strokeStyle = "rgba(20, 30, 40, 0.65)";
     context.lineWidth = 1;
     context.beginPath();
-    for (const [x, y] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+    for (const [x, y] of [
+      [1, 0],
+      [-1, 0],
+      [0, 1],
+      [0, -1],
+    ]) {
       context.moveTo(size / 2 + 6 * x, size / 2 + 6 * y);
       context.lineTo(size / 2 + 22 * x, size / 2 + 22 * y);
     }

@@ -85,17 +85,22 @@ async function start() {
     // the state is told after all that belongs to it is drawn
     document.body.dataset.state = app.busy ? "reading" : "ready";
   };
-  const concerned = { view: place, pointer: pointed, preview: previewed, calibration: recalibrated, status: () => {
-    drawStatus(app);
-    drawNotice(app);
-    document.body.dataset.state = app.busy ? "reading" : "ready";
-  } };
+  const concerned = {
+    view: place,
+    pointer: pointed,
+    preview: previewed,
+    calibration: recalibrated,
+    status: () => {
+      drawStatus(app);
+      drawNotice(app);
+      document.body.dataset.state = app.busy ? "reading" : "ready";
+    },
+  };
   app.on((what) => (concerned[what] ?? everything)());
 
   byId("ship-name").textContent = app.ship.name;
   document.title = `Review: ${app.ship.name}`;
-  const { length_overall_m, breadth_m, depth_m, draught_m } = app.ship;
-  byId("ship-figures").textContent = `LOA ${length_overall_m} m, B ${breadth_m} m, D ${depth_m} m, T ${draught_m} m; ${app.picture.file.split(/[\\/]/).at(-1)}, ${app.picture.width_px} × ${app.picture.height_px} px`;
+  byId("ship-figures").textContent = figures(app);
   listen(app, stage);
   listenToKeys(app);
   fillHelp();
@@ -108,6 +113,13 @@ async function start() {
   viewport.fit();
   app.choose(TOOLS[0]);
   globalThis.hullformReview = app;
+}
+
+function figures({ ship, picture }) {
+  const { length_overall_m, breadth_m, depth_m, draught_m } = ship;
+  const file = picture.file.split(/[\\/]/).at(-1);
+  const ours = `LOA ${length_overall_m} m, B ${breadth_m} m, D ${depth_m} m, T ${draught_m} m`;
+  return `${ours}; ${file}, ${picture.width_px} × ${picture.height_px} px`;
 }
 
 function wireButtons(app) {

@@ -59,16 +59,32 @@ function twoPoints(kind, key, name, title, hints) {
 }
 
 export const deleteTool = onePoint(
-  "delete", "x", "Delete run", "Delete a run", "Click a line that is no station's; no curve will run along it.",
+  "delete",
+  "x",
+  "Delete run",
+  "Delete a run",
+  "Click a line that is no station's; no curve will run along it.",
 );
 export const cutTool = onePoint(
-  "cut", "c", "Cut", "Cut a curve", "Click where a curve must end; what lies before and behind become two.",
+  "cut",
+  "c",
+  "Cut",
+  "Cut a curve",
+  "Click where a curve must end; what lies before and behind become two.",
 );
 export const crossTool = onePoint(
-  "cross", "o", "Cross", "These two cross", "Click where two curves cross; each will go straight on.",
+  "cross",
+  "o",
+  "Cross",
+  "These two cross",
+  "Click where two curves cross; each will go straight on.",
 );
 export const knuckleTool = onePoint(
-  "knuckle", "k", "Knuckle", "Mark a knuckle", "Click a corner of a curve; it will not be rounded.",
+  "knuckle",
+  "k",
+  "Knuckle",
+  "Mark a knuckle",
+  "Click a corner of a curve; it will not be rounded.",
 );
 export const joinTool = twoPoints("join", "j", "Join", "Join two pieces", [
   "Click the end of one piece.",
@@ -81,7 +97,9 @@ export const togetherTool = twoPoints("together", "t", "Together", "These run to
 
 // The station after this one in the list of its half, then in the other half; null after the last.
 export function stationAfter(app, { half, x_m }) {
-  const all = ["aft", "fore"].flatMap((name) => app.stations[`${name}_stations_m`].map((x) => ({ half: name, x_m: x })));
+  const all = ["aft", "fore"].flatMap((name) =>
+    app.stations[`${name}_stations_m`].map((x) => ({ half: name, x_m: x })),
+  );
   const at = all.findIndex((one) => one.half === half && Math.abs(one.x_m - x_m) < 1e-3);
   return all[at + 1] ?? null;
 }

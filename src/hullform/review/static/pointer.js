@@ -19,7 +19,14 @@ export function listen(app, stage) {
     const start = [event.clientX, event.clientY];
     const panning = event.button === 1 || spaceHeld;
     const px = app.viewport.ofEvent(event);
-    press = { start, last: start, px, moved: false, panning, grip: panning ? null : (app.tool.grab?.(app, px) ?? null) };
+    press = {
+      start,
+      last: start,
+      px,
+      moved: false,
+      panning,
+      grip: panning ? null : (app.tool.grab?.(app, px) ?? null),
+    };
   });
 
   stage.addEventListener("pointermove", (event) => {

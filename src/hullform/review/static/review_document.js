@@ -37,7 +37,7 @@ export const without = (document, id) => ({
   corrections: corrections(document).filter((one) => one.id !== id),
 });
 
-// One place for each mark of a station's curve, one drawn curve, one deck line a half: a new one takes the old one's place.
+// One mark and one drawn curve for each curve of a station, one deck line a half: a new one takes the old one's place.
 export function withOnly(document, correction) {
   const same = (one) =>
     one.kind === correction.kind &&

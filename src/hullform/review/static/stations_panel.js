@@ -39,14 +39,20 @@ function drawHalf(app, half) {
       "h3",
       {},
       `${half} (${half === app.leftHalf ? "left" : "right"})`,
-      make("span", { class: `count${all ? "" : " short"}`, "data-count": half }, read ? `${read.found} of ${read.expected}` : "–"),
+      make(
+        "span",
+        { class: `count${all ? "" : " short"}`, "data-count": half },
+        read ? `${read.found} of ${read.expected}` : "–",
+      ),
     ),
-    make("p", { class: "columns", "aria-hidden": "true" }, make("span", {}, "x, m"), make("span", { title: "distance from the line, px" }, "px"), make("span", { title: "confidence" }, "%")),
     make(
-      "ul",
-      { "data-scroll": half },
-      ...rows.map((row) => make("li", {}, button(app, half, row, marked))),
+      "p",
+      { class: "columns", "aria-hidden": "true" },
+      make("span", {}, "x, m"),
+      make("span", { title: "distance from the line, px" }, "px"),
+      make("span", { title: "confidence" }, "%"),
     ),
+    make("ul", { "data-scroll": half }, ...rows.map((row) => make("li", {}, button(app, half, row, marked)))),
   );
 }
 
@@ -91,14 +97,30 @@ function editor(app) {
       "label",
       {},
       `${half}, x in m from aft forward`,
-      make("textarea", { rows: 3, "data-key": `list ${half}`, "data-list": half, spellcheck: "false", oninput: (event) => (event.target.dataset.dirty = "") }, stations[`${half}_stations_m`].join(", ")),
+      make(
+        "textarea",
+        {
+          rows: 3,
+          "data-key": `list ${half}`,
+          "data-list": half,
+          spellcheck: "false",
+          oninput: (event) => (event.target.dataset.dirty = ""),
+        },
+        stations[`${half}_stations_m`].join(", "),
+      ),
     );
   const apply = (event) => {
     const details = event.target.closest("details");
     const lists = ["aft", "fore"].map((half) => {
       const area = details.querySelector(`[data-list=${half}]`);
       delete area.dataset.dirty;
-      return [`${half}_stations_m`, area.value.split(/[\s,;]+/).filter(Boolean).map(Number)];
+      return [
+        `${half}_stations_m`,
+        area.value
+          .split(/[\s,;]+/)
+          .filter(Boolean)
+          .map(Number),
+      ];
     });
     if (lists.some(([, list]) => !list.length || list.some(Number.isNaN))) {
       app.say("The lists of stations are numbers in metres, apart by commas.");
@@ -120,7 +142,11 @@ function editor(app) {
       "p",
       { class: "row" },
       make("button", { "data-key": "apply stations", id: "apply-stations", onclick: apply }, "Use these"),
-      make("button", { "data-key": "swap sides", id: "swap-sides", onclick: swap }, `Aft half is drawn ${stations.aft_side === "left" ? "right" : "left"}`),
+      make(
+        "button",
+        { "data-key": "swap sides", id: "swap-sides", onclick: swap },
+        `Aft half is drawn ${stations.aft_side === "left" ? "right" : "left"}`,
+      ),
     ),
   );
 }

@@ -15,7 +15,11 @@ export function drawStatus(app) {
   }
   parts.push(`${Math.round(100 * app.viewport.scale)} %`);
   byId("where").textContent = parts.join("   ");
-  byId("timing").textContent = app.busy ? "reading …" : app.roundTripMs ? `read in ${Math.round(app.roundTripMs)} ms` : "";
+  byId("timing").textContent = app.busy
+    ? "reading …"
+    : app.roundTripMs
+      ? `read in ${Math.round(app.roundTripMs)} ms`
+      : "";
 }
 
 export function drawNotice(app) {
@@ -23,12 +27,28 @@ export function drawNotice(app) {
   const { failure, savedTo } = app;
   notice.className = failure ? "bad" : "good";
   const words = failure
-    ? [make("strong", {}, app.reading ? "This was refused; what you see is the reading before it. " : "Nothing could be read yet. "), failure]
+    ? [
+        make(
+          "strong",
+          {},
+          app.reading ? "This was refused; what you see is the reading before it. " : "Nothing could be read yet. ",
+        ),
+        failure,
+      ]
     : savedTo && !app.history.changed
-      ? [make("strong", {}, "Saved "), make("code", {}, savedTo), ". Every command reads it now: ", make("code", {}, `hullform run ${app.ship.file}`)]
+      ? [
+          make("strong", {}, "Saved "),
+          make("code", {}, savedTo),
+          ". Every command reads it now: ",
+          make("code", {}, `hullform run ${app.ship.file}`),
+        ]
       : [];
   notice.hidden = !words.length;
   if (notice.hidden) return;
-  const close = make("button", { class: "small", "aria-label": "Close this notice", onclick: () => (notice.hidden = true) }, "×");
+  const close = make(
+    "button",
+    { class: "small", "aria-label": "Close this notice", onclick: () => (notice.hidden = true) },
+    "×",
+  );
   notice.replaceChildren(make("span", {}, ...words), close);
 }
