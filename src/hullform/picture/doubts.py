@@ -22,6 +22,8 @@ FULLEST = 0.994  # of B/2: what a curve of the parallel body reaches
 SAME_BODY = 0.015  # between the areas of the two halves' curves of the parallel body
 AT_SIDE = 0.97  # of B/2: what the outermost curve of a drawing reaches
 NEAR_SIDE = 0.9  # of B/2: stations there end about as high as the midship section
+ON_SIDE = 0.996  # of B/2: stations there run up the line of the ship's side
+LOWEST_ENDS = 25  # percentile of the heights of curves that end near the side: those next to midships
 SCALES_APART = 0.015  # between breadth and depth, beyond which a person should look
 HOPELESS = 0.85  # least ratio of the scales of breadth and depth, either way
 RUNS_ON = (0.02, 0.06)  # of B/2: where ink beyond the end of a curve means that the curve goes on
@@ -129,7 +131,14 @@ def doubts_of_scale(
     ]
     near = np.asarray(cv2.dilate(bare, np.ones((7, 7), np.uint8)), dtype=np.float32)
     cut_off = sum(_runs_on(curve, reading, near) for curve, reading in curves) > 0.5 * len(curves)
-    curves_above = cut_off or any(curve[-1, 1] * scale > (1 + SCALES_APART) * depth_m for curve in near_side)
+    # with sheer most of them end above the depth, but never those next to midships; in a stretched picture all do,
+    # save those that run up the line of B/2: these are taken to the depth by its meaning
+    ends_m = [
+        float(curve[-1, 1]) * scale
+        for curve, reading in curves
+        if NEAR_SIDE < curve[-1, 0] / reading.frame.half_breadth_px < ON_SIDE
+    ]
+    curves_above = cut_off or (bool(ends_m) and np.percentile(ends_m, LOWEST_ENDS) > (1 + SCALES_APART) * depth_m)
     top = max(tops_m) if max(tops_m) < depth_m else min(tops_m)
     fits = (top / depth_m > 1 - SCALES_APART) and (top / depth_m < 1 + SCALES_APART or not curves_above)
     if fits and not cut_off and widest > AT_SIDE * breadth_m / 2:

@@ -206,7 +206,7 @@ def trace_half(
     level = prepared.deck_level_px
     curves = [
         _evenly(
-            np.column_stack(finish(trace, frame, here, sheer, level, side_top)),
+            np.column_stack(finish(trace, frame, here, prepared.hidden, sheer, level, side_top)),
             np.column_stack(frame.to_drawing(at[:, 0], at[:, 1])),
         )
         for trace, at in zip(traces, corners, strict=True)

@@ -7,6 +7,7 @@ import struct
 import warnings
 import zlib
 from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
@@ -21,6 +22,8 @@ Picture = NDArray[np.uint8]
 SMALLEST_PX = 300_000  # below it a half-breadth has less than about 250 px, and neighbouring stations merge
 LARGEST_PX = 60_000_000  # the decoded colours of a larger picture would not fit in a common machine's memory
 BAND_ROWS = 256  # that are worked on at a time, to spare memory
+SAMPLE = 16  # one pixel of so many each way tells the ground
+DARK_GROUND = 90  # level of 0..255 below which the ground is dark, as on the screen of a drawing program
 PNG = b"\x89PNG\r\n\x1a\n"
 KINDS = "PNG, JPEG, TIFF, WebP or BMP picture or a PDF"
 ORIENTATION = 0x0112  # EXIF tag
@@ -39,7 +42,8 @@ TURNS = {
 def load_grey(path: Path, page: int = 1) -> Picture:
     """Read an image file or a page of a PDF as 8-bit grey, upright as viewers show it.
 
-    The darkest channel of each pixel keeps coloured lines dark. Transparent pixels are paper. EXIF turns are obeyed.
+    The darkest channel of each pixel keeps coloured lines dark. Transparent pixels are paper. Light lines on a
+    dark ground are turned into dark ones on a light ground. EXIF turns are obeyed.
 
     Args:
         path: of a PNG, JPEG, TIFF, WebP, BMP or PDF file.
@@ -146,7 +150,7 @@ def _is_whole(content: bytes) -> bool:
     return False
 
 
-def _decoded(content: bytes, page: int) -> NDArray[np.generic] | None:
+def _decoded(content: bytes, page: int) -> NDArray[Any] | None:
     """The image in its own depth and channels; None where it cannot be decoded."""
     data = np.frombuffer(content, dtype=np.uint8)
     level = cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
@@ -161,8 +165,8 @@ def _decoded(content: bytes, page: int) -> NDArray[np.generic] | None:
         cv2.utils.logging.setLogLevel(level)
 
 
-def _to_grey(image: NDArray[np.generic]) -> Picture:
-    """The darkest channel over white paper, some rows at a time."""
+def _to_grey(image: NDArray[Any]) -> Picture:
+    """The darkest channel over white paper, some rows at a time; of light lines on dark ground the negative."""
     if image.dtype not in (np.uint8, np.uint16):
         numbers = np.nan_to_num(image.astype(np.float32))
         lowest, highest = float(numbers.min()), float(numbers.max())
@@ -170,13 +174,19 @@ def _to_grey(image: NDArray[np.generic]) -> Picture:
     # 16 bits may hold 10, 12 or 14 that count
     shift = max(0, int(image.max()).bit_length() - 8)
     channels = 1 if image.ndim == 2 else image.shape[2]
+    sample = image[::SAMPLE, ::SAMPLE]
+    opaque = channels in (1, 3) or bool((sample[..., -1] >> shift == 255).all())
+    lightest = sample if channels == 1 else sample[..., : min(3, channels)].max(axis=2)
+    negative = opaque and float(np.median(lightest >> shift)) < DARK_GROUND
     grey = np.empty(image.shape[:2], dtype=np.uint8)
     for first in range(0, len(image), BAND_ROWS):
         rows = slice(first, first + BAND_ROWS)
         part = image[rows]
         if shift:
-            part = (part >> shift).astype(np.uint8)  # type: ignore[operator]
-        if channels in (2, 4):
+            part = (part >> shift).astype(np.uint8)
+        if negative:
+            grey[rows] = 255 - (part if part.ndim == 2 else part[..., :3].max(axis=2))
+        elif channels in (2, 4):
             colour, alpha = part[..., :-1].min(axis=2).astype(np.uint16), part[..., -1].astype(np.uint16)
             grey[rows] = (colour * alpha + 255 * (255 - alpha)) // 255
         else:

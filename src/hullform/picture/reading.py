@@ -24,6 +24,7 @@ from hullform.picture.effects import Unheeded, unheeded_corrections
 from hullform.picture.half import HalfReading, trace_half
 from hullform.picture.image_files import Picture
 from hullform.picture.input_check import check_input
+from hullform.picture.likeness import explained
 from hullform.picture.marks import near_curves, place_marks, unheeded
 from hullform.picture.naming import NO_CURVE, assign_stations, half_breadths_at, mark_distances
 from hullform.picture.placing import place_corrections
@@ -97,10 +98,12 @@ def read_picture(ship: Ship) -> PictureReading:
         ReviewError: the review is damaged, or was made of another picture.
     """
     review = read_review(ship)
-    if review is None:
-        return read_sheet(prepare_sheet(ship), ship)
-    ship = review.applied_to(ship)
-    return read_sheet(prepare_sheet(ship), ship, review.corrections)
+    corrections: Sequence[Correction] = ()
+    if review is not None:
+        ship, corrections = review.applied_to(ship), review.corrections
+    sheet = prepare_sheet(ship)
+    with explained(str(sheet.path), sheet.ink, ship.particulars.breadth_m, ship.particulars.depth_m):
+        return read_sheet(sheet, ship, corrections)
 
 
 def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ()) -> PictureReading:
