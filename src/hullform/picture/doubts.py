@@ -13,6 +13,7 @@ from hullform.errors import PictureError
 from hullform.picture.half import HalfReading
 from hullform.picture.ink import Ink
 from hullform.picture.naming import NO_CURVE
+from hullform.station_names import StationNames
 
 Array = NDArray[np.float64]
 
@@ -40,6 +41,7 @@ class NamedHalf:
     reading: HalfReading
     inner_first: tuple[float, ...]
     assigned: tuple[int, ...]
+    names: StationNames
 
     @property
     def shared(self) -> tuple[float, ...]:
@@ -76,16 +78,16 @@ def doubts_of_parallel_body(halves: Sequence[NamedHalf], length_between_perpendi
     sharing = [half for half in halves if half.shared]
     for half in sharing:
         name, curves, listed = half.reading.half, len(set(half.assigned) - {NO_CURVE}), len(half.inner_first)
-        words = ", ".join(f"{x:g}" for x in half.shared)
+        words = half.names.several(half.shared)
         reach = float(half.reading.curves[-1][:, 0].max()) / half.reading.frame.half_breadth_px
         if listed - curves > MOST_UNDRAWN * listed:
             doubts.append(
-                f"{name} half: {curves} curves for {listed} stations, so that {words} m would share the outermost; "
+                f"{name} half: {curves} curves for {listed} stations, so that {words} would share the outermost; "
                 f"check {name}_stations_m and aft_side"
             )
         elif reach < FULLEST:
             doubts.append(
-                f"{name} half: {curves} curves for {listed} stations, but the outermost, which {words} m would share, "
+                f"{name} half: {curves} curves for {listed} stations, but the outermost, which {words} would share, "
                 f"reaches only {100 * reach:.1f} % of B/2 and is no parallel body; check {name}_stations_m"
             )
     shared = [x for half in sharing for x in half.shared]

@@ -33,6 +33,7 @@ def assign_stations(
     half_breadths: Array,
     certainty: Sequence[float],
     mark_distance_px: Array | None = None,
+    label_cost: Array | None = None,
 ) -> list[int]:
     """The curve of each station, both counted from the centre line outwards; never decreasing; -1 without a curve.
 
@@ -43,12 +44,15 @@ def assign_stations(
         half_breadths: (curves, levels) at fixed heights in parts of B/2, NaN where a curve does not reach.
         certainty: 0..1 of each curve: how dear it is to leave it without a name.
         mark_distance_px: (stations, curves) distance of each station's mark from each curve, NaN where it has none.
+        label_cost: (stations, curves) what speaks against each pair by the labels of the drawing.
     """
     stations, curves = len(positions_m), len(half_breadths)
     x = np.asarray(positions_m, dtype=np.float64)
     marks = np.zeros((stations, curves)) if mark_distance_px is None else np.nan_to_num(mark_distance_px)
     at = np.clip(marks - MARK_NOISE_PX, 0.0, FARTHEST_MARK_PX)
     undrawn = COST_OF_UNDRAWN_STATION + np.where(np.ptp(at, axis=1) > 0, FARTHEST_MARK_PX, 0.0)
+    if label_cost is not None:
+        at = at + label_cost
     left_out = np.concatenate([[0.0], np.cumsum(COST_OF_UNNAMED_CURVE * np.asarray(certainty, dtype=np.float64))])
     before, after = left_out[:-1], left_out[-1] - left_out[1:]
     # from curve b to curve c of the next name: what lies between has no name

@@ -20,17 +20,24 @@ from hullform.picture.doubts import (
 )
 from hullform.picture.half import HalfReading, trace_half
 from hullform.picture.ink import Picture
+from hullform.picture.label_doubts import doubts_of_labels, doubts_of_sides
 from hullform.picture.marks import near_curves, place_marks, unheeded
 from hullform.picture.naming import NO_CURVE, assign_stations, half_breadths_at, mark_distances
+from hullform.picture.proposals import LabelledHalf, label_costs, label_half
 from hullform.picture.reduction import Reduction
 from hullform.picture.sheet import Sheet, prepare_sheet
 from hullform.review_file import read_review
 from hullform.ship import Ship
+from hullform.station_names import StationNames
 
 Array = NDArray[np.float64]
 
 FEWEST_CURVES = 3  # of a half: fewer are no body plan
 LOW_CONFIDENCE = 0.5
+LABELS_NOT_READ = (
+    "the labels of the drawing were not read, which might settle doubts about names: install the extra 'ocr' "
+    "(pip install 'hullform[ocr]')"
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,41 +109,53 @@ def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
     halves: list[NamedHalf] = []
     stations: list[Station] = []
     notes, doubts = list(sheet.calibrated.notes), list(sheet.calibrated.doubts)
+    before_naming = len(doubts)
+    named_at_all = bool(source.aft_station_names or source.fore_station_names)
+    words = sheet.labels if named_at_all else ()
+    labelled: list[LabelledHalf] = []
     named: tuple[tuple[Half, tuple[float, ...]], ...] = (
         ("aft", source.aft_stations_m),
         ("fore", source.fore_stations_m),
     )
-    for half, names in named:
+    for half, positions in named:
+        names = source.names_of(half)
         prepared = sheet.halves[half]
         frame = prepared.frame
         # from the centre line outwards: the aft half from aft forward, the fore half from forward aft
-        inner_first = names if half == "aft" else names[::-1]
+        inner_first = positions if half == "aft" else positions[::-1]
         marks, doubts_of_marks = place_marks(
             [mark for mark in source.marks if mark.half == half], inner_first, frame, sheet.size_px, sheet.reduction
         )
-        reading = trace_half(prepared, len(names), tuple((m.y_px, m.z_px) for m in marks))
-        if len(reading.curves) < min(FEWEST_CURVES, len(names)):
+        reading = trace_half(prepared, len(inner_first), tuple((m.y_px, m.z_px) for m in marks))
+        if len(reading.curves) < min(FEWEST_CURVES, len(inner_first)):
             raise PictureError(
-                f"{path}: too few curves: {len(reading.curves)} found in the {half} half, which has {len(names)} "
+                f"{path}: too few curves: {len(reading.curves)} found in the {half} half, which has {len(inner_first)} "
                 f"stations ({half}_stations_m); "
                 "check aft_side, breadth_m, depth_m and the calibration, or give a clearer picture"
             )
         marks, doubts_of_places = near_curves(marks, reading.curves, frame.half_breadth_px)
         at = [(mark.station, mark.y_px, mark.z_px) for mark in marks]
+        labels = label_half(words or (), frame, names, inner_first)
         assigned = assign_stations(
             inner_first,
             half_breadths_at(reading.curves, frame.half_breadth_px),
             reading.confidences,
-            mark_distances(reading.curves, at, len(names)),
+            mark_distances(reading.curves, at, len(inner_first)),
+            label_costs(labels.named, reading.curves, len(inner_first)),
         )
-        stations += _stations(reading, inner_first, assigned, notes, doubts)
+        stations += _stations(reading, inner_first, assigned, names, notes, doubts)
         doubts += doubts_of_marks + doubts_of_places
         doubts += unheeded(marks, reading.curves, assigned, frame.half_breadth_px)
-        halves.append(NamedHalf(reading, inner_first, tuple(assigned)))
+        doubts += doubts_of_labels(labels, reading.curves, assigned)
+        labelled.append(labels)
+        halves.append(NamedHalf(reading, inner_first, tuple(assigned), names))
     readings = [half.reading for half in halves]
     doubts += doubts_of_scale(str(path), readings, sheet.ink, sheet.bare, main.breadth_m, main.depth_m)
     doubts += doubts_of_counts(halves)
     doubts += doubts_of_parallel_body(halves, main.length_between_perpendiculars_m)
+    doubts += doubts_of_sides(labelled)
+    if words is None and len(doubts) > before_naming:
+        notes.append(LABELS_NOT_READ)
     doubts += doubts_of_size(path.name, readings)
     doubts += doubts_of_edges(readings, sheet.bare)
     calibration = sheet.calibrated.calibration
@@ -162,7 +181,12 @@ def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
 
 
 def _stations(
-    reading: HalfReading, inner_first: tuple[float, ...], assigned: list[int], notes: list[str], doubts: list[str]
+    reading: HalfReading,
+    inner_first: tuple[float, ...],
+    assigned: list[int],
+    names: StationNames,
+    notes: list[str],
+    doubts: list[str],
 ) -> list[Station]:
     """The stations of a half with their curves in metres; reports what was shared and what was not sure."""
     scale = reading.frame.metres_per_px
@@ -172,26 +196,23 @@ def _stations(
     stations = []
     for x, number in zip(inner_first, assigned, strict=True):
         if number == NO_CURVE:
-            doubts.append(
-                f"station {x:g} m ({reading.half} half): not found; mark a point of its curve in [[body_plan.marks]]"
-            )
+            doubts.append(f"{names.one(x)}: not found; mark a point of its curve in [[body_plan.marks]]")
             continue
         others = tuple(sorted(o for o, n in zip(inner_first, assigned, strict=True) if n == number and o != x))
-        stations.append(Station(x, reading.half, (curves[number],), shared_with_m=others))
+        stations.append(Station(x, reading.half, (curves[number],), names.of(x), others))
         if curves[number].confidence < LOW_CONFIDENCE:
             doubts.append(
-                f"station {x:g} m ({reading.half} half): traced with confidence {curves[number].confidence:.2f}; "
-                "look at it in the overlay"
+                f"{names.one(x)}: traced with confidence {curves[number].confidence:.2f}; look at it in the overlay"
             )
     named = set(assigned) - {NO_CURVE}
     for number in sorted(named):
         shared = sorted(x for x, n in zip(inner_first, assigned, strict=True) if n == number)
         if len(shared) > 1:
-            words = ", ".join(f"{x:g}" for x in shared)
-            notes.append(f"{reading.half} half: stations {words} m share one drawn curve (parallel body)")
+            words = names.several(shared)
+            notes.append(f"{reading.half} half: stations {words} share one drawn curve (parallel body)")
             if number != len(curves) - 1:
                 doubts.append(
-                    f"stations {words} m of the {reading.half} half share a curve that is not the outermost; "
+                    f"stations {words} of the {reading.half} half share a curve that is not the outermost; "
                     "check their marks"
                 )
     unnamed = len(curves) - len(named) - reading.unlisted
