@@ -5,6 +5,7 @@ It is the optional extra `ocr`: rapidocr, whose networks come with it, so that n
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
@@ -14,29 +15,28 @@ from typing import Any
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from hullform.picture.ink import Picture
+from hullform.station_names import number_of
+
+Array = NDArray[np.float64]
 
 SEARCHED_SIDE_PX = 1400  # of the picture in which words are looked for; they are read in the whole one
 LARGEST_SIDE_PX = 4000  # of what is read: a larger picture is reduced
-LEAST_CONFIDENCE = 0.6  # of a word: less sure ones are pieces of curves as often as not
+BETWEEN = re.compile(r"[^\s/|=\\]+")  # strokes and spaces part words
+LEAST_CONFIDENCE = 0.8  # of a word: less sure ones are pieces of curves as often as not
 
 
 @dataclass(frozen=True)
 class Label:
-    """A word and its box, in px of the picture that was read: u right, v down."""
+    """A word, the centre of its box, and its width and height, px of the picture that was read: u right, v down."""
 
     text: str
     confidence: float
-    left_px: float
-    top_px: float
-    right_px: float
-    bottom_px: float
-
-    @property
-    def height_px(self) -> float:
-        """Of the letters, about."""
-        return self.bottom_px - self.top_px
+    centre_px: tuple[float, float]
+    width_px: float
+    height_px: float
 
 
 def can_read_labels() -> bool:
@@ -45,7 +45,7 @@ def can_read_labels() -> bool:
 
 
 def read_labels(grey: Picture) -> tuple[Label, ...]:
-    """All words on a picture, from the top down; the extra `ocr` must be installed.
+    """All words on a picture; the extra `ocr` must be installed.
 
     Args:
         grey: (rows, columns) 8-bit.
@@ -56,13 +56,30 @@ def read_labels(grey: Picture) -> tuple[Label, ...]:
     found = _reader()(cv2.cvtColor(grey, cv2.COLOR_GRAY2BGR), use_cls=False)
     if found.boxes is None:
         return ()
-    labels = []
+    labels: list[Label] = []
     for corners, text, confidence in zip(found.boxes, found.txts, found.scores, strict=True):
-        (left, top), (right, bottom) = np.min(corners, axis=0) / scale, np.max(corners, axis=0) / scale
-        if confidence >= LEAST_CONFIDENCE and text.strip():
-            box = (float(left), float(top), float(right), float(bottom))
-            labels.append(Label(text.strip(), float(confidence), *box))
-    return tuple(sorted(labels, key=lambda label: (label.top_px, label.left_px)))
+        if confidence >= LEAST_CONFIDENCE:
+            labels += _words(np.asarray(corners, dtype=np.float64) / scale, text, float(confidence))
+    return tuple(labels)
+
+
+def _words(corners: Array, text: str, confidence: float) -> list[Label]:
+    """The words of one line of print, parted where strokes of curves or spaces stand between them.
+
+    Args:
+        corners: (4, 2) of the line's box, the upper left first, clockwise.
+        text: of the line.
+        confidence: of the line.
+    """
+    start, along = (corners[0] + corners[3]) / 2, (corners[1] + corners[2] - corners[0] - corners[3]) / 2
+    high = float(np.hypot(*(corners[3] + corners[2] - corners[0] - corners[1])) / 2)
+    parts = [(0, len(text))] if number_of(text) is not None else [m.span() for m in BETWEEN.finditer(text)]
+    labels = []
+    for first, end in parts:
+        centre = start + along * (first + end) / 2 / len(text)
+        wide = float(np.hypot(*along)) * (end - first) / len(text)
+        labels.append(Label(text[first:end], confidence, (float(centre[0]), float(centre[1])), wide, high))
+    return labels
 
 
 @cache

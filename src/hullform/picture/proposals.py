@@ -6,9 +6,8 @@ So each adds a small cost to the naming, and what speaks against a naming is tol
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +21,6 @@ Array = NDArray[np.float64]
 OUTBOARD = 1.03  # of B/2: what stands farther out is the scale of the frame
 NEAR_ITS_VALUE = 1.0  # of a letter's height: a number so near to the height that it tells is a waterline's
 STROKES = " |/\\'`\".,:;-_=~()[]"  # pieces of curves and leaders, which a word takes up at its ends
-BETWEEN = re.compile(r"[^\s/|=\\]+")  # strokes and spaces
 COST_PER_HEIGHT = 8.0
 SLACK = 0.5  # of a letter's height: no difference
 MOST = 3.0  # letters' heights that are counted
@@ -61,11 +59,10 @@ def labels_in_half(labels: Sequence[Label], frame: DiagonalFrame) -> tuple[Place
     """
     scale = frame.metres_per_px
     placed = []
-    for label in [part for words in labels for part in _words(words)]:
-        centre = np.array([(label.left_px + label.right_px) / 2, (label.top_px + label.bottom_px) / 2, 1.0])
-        y, z, depth = np.linalg.solve(frame.pixel_from_metres, centre)
+    for label in labels:
+        y, z, depth = np.linalg.solve(frame.pixel_from_metres, np.array([*label.centre_px, 1.0]))
         y_px, z_px = float(frame.side * y / depth / scale), float(z / depth / scale)
-        reach = ((label.right_px - label.left_px) / 2, label.height_px / 2)
+        reach = (label.width_px / 2, label.height_px / 2)
         text = label.text.strip(STROKES)
         inside = 0.0 < y_px < OUTBOARD * frame.half_breadth_px and -reach[1] < z_px < frame.top_px
         number = number_of(text)
@@ -148,22 +145,6 @@ def clear_labels(labels: Sequence[tuple[int, PlacedLabel]], curves: Sequence[Arr
             found.append((station, int(np.argmin(away))))
     at = [curve for _, curve in found]
     return [(station, curve) for station, curve in found if at.count(curve) == 1]
-
-
-def _words(label: Label) -> list[Label]:
-    """A row of names that was read as one word, parted where strokes or spaces stand between them."""
-    if number_of(label.text) is not None:
-        return [label]
-    width = (label.right_px - label.left_px) / len(label.text)
-    return [
-        replace(
-            label,
-            text=part.group(),
-            left_px=label.left_px + part.start() * width,
-            right_px=label.left_px + part.end() * width,
-        )
-        for part in BETWEEN.finditer(label.text)
-    ]
 
 
 def _distances(label: PlacedLabel, curves: Sequence[Array]) -> Array:
