@@ -25,6 +25,7 @@ Array = NDArray[np.float64]
 SEARCHED_SIDE_PX = 1400  # of the picture in which words are looked for; they are read in the whole one
 LARGEST_SIDE_PX = 4000  # of what is read: a larger picture is reduced
 BETWEEN = re.compile(r"[^\s/|=\\]+")  # strokes and spaces part words
+TWICE = re.compile(r"(½(?=2)|[¼¾](?=4))\d")  # a fraction that is read as one sign and its denominator again
 LEAST_CONFIDENCE = 0.8  # of a word: less sure ones are pieces of curves as often as not
 
 
@@ -59,6 +60,7 @@ def read_labels(grey: Picture) -> tuple[Label, ...]:
     labels: list[Label] = []
     for corners, text, confidence in zip(found.boxes, found.txts, found.scores, strict=True):
         if confidence >= LEAST_CONFIDENCE:
+            text = TWICE.sub(r"\1", text)
             labels += _words(np.asarray(corners, dtype=np.float64) / scale, text, float(confidence))
     return tuple(labels)
 

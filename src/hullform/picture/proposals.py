@@ -6,6 +6,7 @@ So each adds a small cost to the naming, and what speaks against a naming is tol
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -21,6 +22,7 @@ Array = NDArray[np.float64]
 OUTBOARD = 1.03  # of B/2: what stands farther out is the scale of the frame
 NEAR_ITS_VALUE = 1.0  # of a letter's height: a number so near to the height that it tells is a waterline's
 STROKES = " |/\\'`\".,:;-_=~()[]"  # pieces of curves and leaders, which a word takes up at its ends
+RANGE = re.compile(r"[-–—]")
 COST_PER_HEIGHT = 8.0
 SLACK = 0.5  # of a letter's height: no difference
 MOST = 3.0  # letters' heights that are counted
@@ -112,7 +114,14 @@ def named_labels(labels: Sequence[PlacedLabel], names: Sequence[str]) -> tuple[t
     known = {same_name(name): index for index, name in enumerate(names)}
     # print sets a fraction close to its number
     known = {same_name(name.replace(" ", "")): index for index, name in enumerate(names)} | known
-    return tuple((known[same_name(label.text)], label) for label in labels if same_name(label.text) in known)
+    found = []
+    for label in labels:
+        # '10-15' stands at the one curve of a parallel body, and names all its stations
+        ends = [label.text] if number_of(label.text) is not None else RANGE.split(label.text)
+        at = [known[same_name(end)] for end in ends if same_name(end) in known]
+        if len(at) == len(ends) <= 2:
+            found += [(index, label) for index in range(min(at), max(at) + 1)]
+    return tuple(found)
 
 
 def label_costs(labels: Sequence[tuple[int, PlacedLabel]], curves: Sequence[Array], stations: int) -> Array | None:
@@ -138,13 +147,15 @@ def label_costs(labels: Sequence[tuple[int, PlacedLabel]], curves: Sequence[Arra
 def clear_labels(labels: Sequence[tuple[int, PlacedLabel]], curves: Sequence[Array]) -> list[tuple[int, int]]:
     """(station, curve) of the labels that alone stand at a curve, clearly nearer to it than to any other."""
     found = []
+    at: dict[int, set[PlacedLabel]] = {}
     for station, label in labels:
         away = _distances(label, curves)
         nearest, *others = np.sort(away)
         if nearest < AT_CURVE and all(other > nearest + CLEAR for other in others[:1]):
-            found.append((station, int(np.argmin(away))))
-    at = [curve for _, curve in found]
-    return [(station, curve) for station, curve in found if at.count(curve) == 1]
+            curve = int(np.argmin(away))
+            found.append((station, curve))
+            at.setdefault(curve, set()).add(label)
+    return [(station, curve) for station, curve in found if len(at[curve]) == 1]
 
 
 def _distances(label: PlacedLabel, curves: Sequence[Array]) -> Array:
