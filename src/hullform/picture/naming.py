@@ -25,6 +25,9 @@ MOST_UNDRAWN_TOGETHER = 2
 MARK_NOISE_PX = 5.0  # a hand's error and half a line: curves so near are all meant
 FARTHEST_MARK_PX = 200.0  # a mark farther from every curve says no more than this
 LEVELS = (0.08, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95)  # of the highest curve: where fairness is judged
+LEVEL = 0.06  # rise over run: a deck with camber or sheer rises less, a section more
+HIGH = 0.5  # of the highest curve: no section lies wholly above it that is level
+CERTAINTY_OF_LEVEL = 0.1
 NO_CURVE = -1
 
 
@@ -109,6 +112,22 @@ def _unfairness(half_breadths: Array, share: float) -> Array:
     known = np.isfinite(beside)
     total = np.where(known, beside, 0.0).sum(axis=-1)
     return np.asarray(COST_OF_UNFAIRNESS * total / np.maximum(known.sum(axis=-1), 1))
+
+
+def certainties(curves: Sequence[Array], confidences: Sequence[float]) -> list[float]:
+    """How surely each curve is a station's: its confidence, but little for a level line high up, a deck's.
+
+    Args:
+        curves: (n, 2) points of each, px, keel to deck.
+        confidences: 0..1 of each.
+    """
+    top = max((float(curve[:, 1].max()) for curve in curves), default=1.0)
+    certain = []
+    for curve, confidence in zip(curves, confidences, strict=True):
+        across, up = np.ptp(curve, axis=0)
+        level = up < LEVEL * across and curve[:, 1].min() > HIGH * top
+        certain.append(confidence * (CERTAINTY_OF_LEVEL if level else 1.0))
+    return certain
 
 
 def half_breadths_at(curves: Sequence[Array], half_breadth_px: float) -> Array:

@@ -22,7 +22,7 @@ from hullform.picture.half import HalfReading, trace_half
 from hullform.picture.ink import Picture
 from hullform.picture.label_doubts import doubts_of_labels, doubts_of_sides
 from hullform.picture.marks import near_curves, place_marks, unheeded
-from hullform.picture.naming import NO_CURVE, assign_stations, half_breadths_at, mark_distances
+from hullform.picture.naming import NO_CURVE, assign_stations, certainties, half_breadths_at, mark_distances
 from hullform.picture.proposals import LabelledHalf, label_costs, label_half
 from hullform.picture.reduction import Reduction
 from hullform.picture.sheet import Sheet, prepare_sheet
@@ -139,7 +139,7 @@ def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
         assigned = assign_stations(
             inner_first,
             half_breadths_at(reading.curves, frame.half_breadth_px),
-            reading.confidences,
+            certainties(reading.curves, reading.confidences),
             mark_distances(reading.curves, at, len(inner_first)),
             label_costs(labels.named, reading.curves, len(inner_first)),
         )
