@@ -22,6 +22,7 @@ FULLEST = 0.994  # of B/2: what a curve of the parallel body reaches
 SAME_BODY = 0.015  # between the areas of the two halves' curves of the parallel body
 AT_SIDE = 0.97  # of B/2: what the outermost curve of a drawing reaches
 NEAR_SIDE = 0.9  # of B/2: stations there end about as high as the midship section
+ON_SIDE = 0.996  # of B/2: stations there run up the line of the ship's side
 SCALES_APART = 0.015  # between breadth and depth, beyond which a person should look
 HOPELESS = 0.85  # least ratio of the scales of breadth and depth, either way
 RUNS_ON = (0.02, 0.06)  # of B/2: where ink beyond the end of a curve means that the curve goes on
@@ -131,8 +132,17 @@ def doubts_of_scale(
     tops_m = [top * scale for top in sides if top is not None] or [
         max(float(curve[-1, 1]) for curve in near_side or [curve for curve, _ in curves]) * scale
     ]
-    cut_off = sum(_runs_on(curve, reading, bare) for curve, reading in curves) > 0.5 * len(curves)
-    curves_above = cut_off or any(curve[-1, 1] * scale > (1 + SCALES_APART) * depth_m for curve in near_side)
+    near = np.asarray(cv2.dilate(bare, np.ones((7, 7), np.uint8)), dtype=np.float32)
+    cut_off = sum(_runs_on(curve, reading, near) for curve, reading in curves) > 0.5 * len(curves)
+    # those that run up the line of B/2 are taken to the depth by its meaning
+    ends_m = [
+        float(curve[-1, 1]) * scale
+        for curve, reading in curves
+        if NEAR_SIDE < curve[-1, 0] / reading.frame.half_breadth_px < ON_SIDE
+    ]
+    curves_above = cut_off or any(end > (1 + SCALES_APART) * depth_m for end in ends_m)
+    # with sheer some of them end above the depth, but never those amidships; in a stretched picture all do
+    all_above = cut_off or (bool(ends_m) and min(ends_m) > (1 + SCALES_APART) * depth_m)
     top = max(tops_m) if max(tops_m) < depth_m else min(tops_m)
     fits = (top / depth_m > 1 - SCALES_APART) and (top / depth_m < 1 + SCALES_APART or not curves_above)
     if fits and not cut_off and widest > AT_SIDE * breadth_m / 2:
@@ -141,7 +151,7 @@ def doubts_of_scale(
         f"the outermost curves reach {widest:.2f} m from the centre line and {top:.2f} m above the base line at the "
         f"scale found; ship.toml says breadth_m = {breadth_m:g} and depth_m = {depth_m:g}"
     )
-    if not (top / depth_m >= HOPELESS and (top / depth_m <= 1 / HOPELESS or not curves_above)):
+    if not (top / depth_m >= HOPELESS and (top / depth_m <= 1 / HOPELESS or not all_above)):
         raise PictureError(
             f"{path}: {words}; these do not fit: check breadth_m, depth_m, [body_plan.calibration] and whether the "
             "picture was stretched or cut off"
@@ -252,12 +262,11 @@ def _top_of_side(reading: HalfReading, ink: Ink) -> float | None:
     return float(z[upper[-1]])
 
 
-def _runs_on(curve: Array, reading: HalfReading, ink: Ink) -> bool:
-    """Whether ink goes on in the direction in which a curve ends."""
+def _runs_on(curve: Array, reading: HalfReading, near: Ink) -> bool:
+    """Whether ink, widened by some pixels, goes on in the direction in which a curve ends."""
     size = reading.frame.half_breadth_px
     behind = curve[-1] - curve[np.hypot(*(curve - curve[-1]).T) > 0.03 * size][-1]
     ahead = np.linspace(*RUNS_ON, 40)[:, None] * size * behind / np.hypot(*behind) + curve[-1]
     u, v = reading.frame.to_picture(ahead[:, 0], ahead[:, 1])
-    near = cv2.dilate(ink, np.ones((7, 7), np.uint8))
     seen = cv2.remap(near, u.astype(np.float32)[None], v.astype(np.float32)[None], cv2.INTER_NEAREST)
     return bool((seen > 0.3).mean() > 0.8)

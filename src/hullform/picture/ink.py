@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from hullform.errors import PictureError
 from hullform.picture.image_files import Picture
+from hullform.picture.paper import beyond_paper
 
 Ink = NDArray[np.float32]
 
@@ -42,6 +43,9 @@ def ink_of(grey: Picture, name: str = "the picture") -> Ink:
     paper = cv2.GaussianBlur(paper.astype(np.float32), (0, 0), window / 2)
     paper = np.maximum(cv2.resize(paper, (width, height), interpolation=cv2.INTER_LINEAR), 1.0)
     ink = np.clip((paper - grey) / paper, 0.0, 1.0).astype(np.float32)
+    table = beyond_paper(grey)
+    if table is not None:
+        ink[table] = 0.0
     dark = ink[ink > FAINTEST_INK]
     share = dark.size / ink.size
     if share < LEAST_INK_SHARE:
