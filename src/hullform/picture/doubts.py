@@ -153,9 +153,10 @@ def doubts_of_keel(readings: Sequence[HalfReading], depth_m: float) -> list[str]
         readings: of both halves.
         depth_m: of ship.toml.
     """
-    fullest = [(float(reading.curves[-1][:, 1].min()), reading) for reading in readings if reading.curves]
-    keel_px, reading = min(fullest, key=lambda pair: pair[0])
-    keel_m = keel_px * reading.frame.metres_per_px
+    scale = readings[0].frame.metres_per_px
+    # single curves are led down a wrong line now and then, so the fuller third of them decides
+    keels = [float(c[:, 1].min()) for r in readings for c in r.curves[-max(1, len(r.curves) // 3) :]]
+    keel_m = float(np.median(keels)) * scale
     if keel_m <= HIGHEST_KEEL * depth_m:
         return []
     return [
