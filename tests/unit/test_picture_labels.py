@@ -113,4 +113,4 @@ def test_a_station_left_out_of_the_list_shifts_no_name_where_labels_stand_at_the
     costs = label_costs(half_of(labels, names, listed).named, curves, 9)
     right = [0, 1, 2, 4, 5, 6, 7, 7, 7]
     assert assign_stations(listed, rows, certain) != right
-    assert assign_stations(listed, rows, certain, None, costs) == right
+    assert assign_stations(listed, rows, certain, label_cost=costs) == right

@@ -23,12 +23,15 @@ FULLEST = 0.994  # of B/2: what a curve of the parallel body reaches
 SAME_BODY = 0.015  # between the areas of the two halves' curves of the parallel body
 AT_SIDE = 0.97  # of B/2: what the outermost curve of a drawing reaches
 NEAR_SIDE = 0.9  # of B/2: stations there end about as high as the midship section
+ON_SIDE = 0.996  # of B/2: stations there run up the line of the ship's side
 SCALES_APART = 0.015  # between breadth and depth, beyond which a person should look
 HOPELESS = 0.85  # least ratio of the scales of breadth and depth, either way
 RUNS_ON = (0.02, 0.06)  # of B/2: where ink beyond the end of a curve means that the curve goes on
-SMALLEST_HALF_PX = 600.0  # B/2: of a picture 1450 px wide
-THINNEST_OF_HALF = 200.0  # B/2 over the width of a line
 SIDE_WINDOW = 0.08  # of B/2: the stretch of the line of the side that must be drawn for the most part
+HIGHEST_KEEL = 0.04  # of D: of the midship section
+TRACED_BELOW = 0.012  # of B/2 below the base line: nearer to it flat bottoms waver
+DEEPEST = 0.5  # of B/2: how far down is looked
+DEEP = 0.06  # of B/2: what hangs down from the base line less far is a label or a box line's end
 EDGE_PX = 2.5
 FEWEST_CUT = 3  # lines at the picture's edge: one or two may be the scanner's
 WIDEST_STROKE_PX = 40
@@ -131,8 +134,17 @@ def doubts_of_scale(
     tops_m = [top * scale for top in sides if top is not None] or [
         max(float(curve[-1, 1]) for curve in near_side or [curve for curve, _ in curves]) * scale
     ]
-    cut_off = sum(_runs_on(curve, reading, bare) for curve, reading in curves) > 0.5 * len(curves)
-    curves_above = cut_off or any(curve[-1, 1] * scale > (1 + SCALES_APART) * depth_m for curve in near_side)
+    near = np.asarray(cv2.dilate(bare, np.ones((7, 7), np.uint8)), dtype=np.float32)
+    cut_off = sum(_runs_on(curve, reading, near) for curve, reading in curves) > 0.5 * len(curves)
+    # those that run up the line of B/2 are taken to the depth by its meaning
+    ends_m = [
+        float(curve[-1, 1]) * scale
+        for curve, reading in curves
+        if NEAR_SIDE < curve[-1, 0] / reading.frame.half_breadth_px < ON_SIDE
+    ]
+    curves_above = cut_off or any(end > (1 + SCALES_APART) * depth_m for end in ends_m)
+    # with sheer some of them end above the depth, but never those amidships; in a stretched picture all do
+    all_above = cut_off or (bool(ends_m) and min(ends_m) > (1 + SCALES_APART) * depth_m)
     top = max(tops_m) if max(tops_m) < depth_m else min(tops_m)
     fits = (top / depth_m > 1 - SCALES_APART) and (top / depth_m < 1 + SCALES_APART or not curves_above)
     if fits and not cut_off and widest > AT_SIDE * breadth_m / 2:
@@ -141,7 +153,7 @@ def doubts_of_scale(
         f"the outermost curves reach {widest:.2f} m from the centre line and {top:.2f} m above the base line at the "
         f"scale found; ship.toml says breadth_m = {breadth_m:g} and depth_m = {depth_m:g}"
     )
-    if not (top / depth_m >= HOPELESS and (top / depth_m <= 1 / HOPELESS or not curves_above)):
+    if not (top / depth_m >= HOPELESS and (top / depth_m <= 1 / HOPELESS or not all_above)):
         raise PictureError(
             f"{path}: {words}; these do not fit: check breadth_m, depth_m, [body_plan.calibration] and whether the "
             "picture was stretched or cut off"
@@ -152,21 +164,53 @@ def doubts_of_scale(
     ]
 
 
-def doubts_of_size(name: str, readings: Sequence[HalfReading]) -> list[str]:
-    """A picture too small, or drawn too boldly, to keep neighbouring stations apart."""
-    half_breadth_px = readings[0].frame.half_breadth_px
-    width_px = float(np.mean([reading.line_width_px for reading in readings]))
-    if half_breadth_px < SMALLEST_HALF_PX:
-        return [
-            f"{name}: the picture is small: {half_breadth_px:.0f} px per half-breadth; "
-            "1600 px wide or more is read well"
-        ]
-    if half_breadth_px < THINNEST_OF_HALF * width_px:
-        return [
-            f"{name}: the lines are thick: {width_px:.1f} px at {half_breadth_px:.0f} px per half-breadth; curves "
-            "merge where they lie near each other; scan it finer or draw thinner lines"
-        ]
-    return []
+def doubts_of_keel(readings: Sequence[HalfReading], depth_m: float) -> list[str]:
+    """A midship section that stands clear of the base line: the line is one too low.
+
+    Args:
+        readings: of both halves.
+        depth_m: of ship.toml.
+    """
+    fullest = [(float(reading.curves[-1][:, 1].min()), reading) for reading in readings if reading.curves]
+    keel_px, reading = min(fullest, key=lambda pair: pair[0])
+    keel_m = keel_px * reading.frame.metres_per_px
+    if keel_m <= HIGHEST_KEEL * depth_m:
+        return []
+    return [
+        f"base line: the fullest sections end {keel_m:.2f} m above it, and not on it; give baseline_px in "
+        "[body_plan.calibration] where it was taken for another line (see the overlay), or check depth_m"
+    ]
+
+
+def doubts_below_base(readings: Sequence[HalfReading], bare: Ink) -> list[str]:
+    """Curves that go on below the base line although no station was traced there: a dome, or the wrong base line.
+
+    Args:
+        readings: of both halves.
+        bare: (rows, columns) ink of the picture without its long straight lines.
+    """
+    doubts = []
+    for reading in readings:
+        frame = reading.frame
+        size = frame.half_breadth_px
+        if min((float(curve[:, 1].min()) for curve in reading.curves), default=0.0) < -TRACED_BELOW * size:
+            continue
+        y, below = np.meshgrid(np.arange(TRACED_BELOW * size, size), np.arange(TRACED_BELOW * size, DEEPEST * size))
+        u, v = frame.to_picture(y.ravel(), -below.ravel())
+        at_u, at_v = (px.reshape(y.shape).astype(np.float32) for px in (u, v))
+        drawn = cv2.remap(bare, at_u, at_v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=0) > 0.3
+        _, _, found, _ = cv2.connectedComponentsWithStats(drawn.astype(np.uint8), connectivity=8)
+        tops = np.asarray(found[1:, cv2.CC_STAT_TOP], dtype=np.float64)
+        heights = np.asarray(found[1:, cv2.CC_STAT_HEIGHT], dtype=np.float64)
+        curves = (tops < TRACED_BELOW * size) & (heights > DEEP * size)
+        if curves.any():
+            lowest_m = float((tops + heights)[curves].max() + TRACED_BELOW * size) * frame.metres_per_px
+            doubts.append(
+                f"{reading.half} half: {int(curves.sum())} curves go on below the base line, to -{lowest_m:.2f} m, "
+                "and were not traced there; look at the base line in the overlay, and give baseline_px in "
+                "[body_plan.calibration] if it is another line"
+            )
+    return doubts
 
 
 def doubts_of_edges(readings: Sequence[HalfReading], bare: Ink) -> list[str]:
@@ -219,12 +263,11 @@ def _top_of_side(reading: HalfReading, ink: Ink) -> float | None:
     return float(z[upper[-1]])
 
 
-def _runs_on(curve: Array, reading: HalfReading, ink: Ink) -> bool:
-    """Whether ink goes on in the direction in which a curve ends."""
+def _runs_on(curve: Array, reading: HalfReading, near: Ink) -> bool:
+    """Whether ink, widened by some pixels, goes on in the direction in which a curve ends."""
     size = reading.frame.half_breadth_px
     behind = curve[-1] - curve[np.hypot(*(curve - curve[-1]).T) > 0.03 * size][-1]
     ahead = np.linspace(*RUNS_ON, 40)[:, None] * size * behind / np.hypot(*behind) + curve[-1]
     u, v = reading.frame.to_picture(ahead[:, 0], ahead[:, 1])
-    near = cv2.dilate(ink, np.ones((7, 7), np.uint8))
     seen = cv2.remap(near, u.astype(np.float32)[None], v.astype(np.float32)[None], cv2.INTER_NEAREST)
     return bool((seen > 0.3).mean() > 0.8)

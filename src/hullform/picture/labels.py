@@ -17,7 +17,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from hullform.picture.ink import Picture
+from hullform.picture.image_files import Picture
 from hullform.station_names import number_of
 
 Array = NDArray[np.float64]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,25 +10,35 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.body_plan import BodyPlan, Calibration, Half, Station, TracedCurve
+from hullform.corrections import Correction, Drawn
 from hullform.errors import PictureError
+from hullform.picture.contours import NO_LOOP, marks_on_loops, pair_loops
+from hullform.picture.corrected import correct_ink
+from hullform.picture.crosschecks import crosscheck
 from hullform.picture.doubts import (
     NamedHalf,
+    doubts_below_base,
     doubts_of_counts,
     doubts_of_edges,
+    doubts_of_keel,
     doubts_of_parallel_body,
     doubts_of_scale,
-    doubts_of_size,
 )
+from hullform.picture.effects import Unheeded, unheeded_corrections
 from hullform.picture.half import HalfReading, trace_half
-from hullform.picture.ink import Picture
+from hullform.picture.image_files import Picture
+from hullform.picture.input_check import check_input
 from hullform.picture.label_doubts import doubts_of_labels, doubts_of_sides
+from hullform.picture.likeness import explained
 from hullform.picture.marks import near_curves, place_marks, unheeded
 from hullform.picture.naming import NO_CURVE, assign_stations, certainties, half_breadths_at, mark_distances
+from hullform.picture.placing import place_corrections
 from hullform.picture.proposals import LabelledHalf, label_costs, label_half
 from hullform.picture.reduction import Reduction
+from hullform.picture.seen import SeenCurve, StationDoubt, UnusedLine, seen_curves, unused_lines
 from hullform.picture.sheet import Sheet, prepare_sheet
 from hullform.review_file import read_review
-from hullform.ship import Ship
+from hullform.ship import Mark, Ship
 from hullform.station_names import StationNames
 
 Array = NDArray[np.float64]
@@ -53,6 +64,10 @@ class PictureReading:
         left_half: which half the picture shows left.
         grid_m: spacing of buttocks and waterlines in metres, where a regular grid was found.
         sheer_m: (n, 2) [y, z] of the sheer line of each half where it was found, metres.
+        curves: what was traced, with and without a station, in pixels of the stored picture.
+        unused: lines that no curve took.
+        station_doubts: the doubts of the body plan that are about one station.
+        unheeded: corrections that changed nothing.
     """
 
     body_plan: BodyPlan
@@ -65,6 +80,10 @@ class PictureReading:
     left_half: Half
     grid_m: tuple[float, float] | None
     sheer_m: dict[Half, Array]
+    curves: tuple[SeenCurve, ...]
+    unused: tuple[UnusedLine, ...]
+    station_doubts: tuple[StationDoubt, ...]
+    unheeded: tuple[Unheeded, ...]
 
     @property
     def calibration(self) -> Calibration:
@@ -90,17 +109,21 @@ def read_picture(ship: Ship) -> PictureReading:
         ReviewError: the review is damaged, or was made of another picture.
     """
     review = read_review(ship)
+    corrections: Sequence[Correction] = ()
     if review is not None:
-        ship = review.applied_to(ship)
-    return read_sheet(prepare_sheet(ship), ship)
+        ship, corrections = review.applied_to(ship), review.corrections
+    sheet = prepare_sheet(ship)
+    with explained(str(sheet.path), sheet.ink, ship.particulars.breadth_m, ship.particulars.depth_m):
+        return read_sheet(sheet, ship, corrections)
 
 
-def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
-    """Trace the stations of a sheet that is prepared; quick, so that it can be done again with other marks.
+def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ()) -> PictureReading:
+    """Trace the stations of a sheet that is prepared; quick, so that it can be done again with other corrections.
 
     Args:
         sheet: of the ship's picture and calibration.
-        ship: her stations and marks.
+        ship: her stations and marks, those of `corrections` among them.
+        corrections: a person's, of the picture.
 
     Raises:
         PictureError: too few curves.
@@ -113,26 +136,42 @@ def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
     named_at_all = bool(source.aft_station_names or source.fore_station_names)
     words = sheet.labels if named_at_all else ()
     labelled: list[LabelledHalf] = []
+    station_doubts: list[StationDoubt] = []
+    curves: list[SeenCurve] = []
+    unused: list[UnusedLine] = []
+    placed = place_corrections(corrections, {half: ink.frame for half, ink in sheet.halves.items()}, sheet.reduction)
+    of_lines: set[str] = set()
+    of_ink: set[str] = set()
+    used_marks: set[Mark] = set()
     named: tuple[tuple[Half, tuple[float, ...]], ...] = (
         ("aft", source.aft_stations_m),
         ("fore", source.fore_stations_m),
     )
     for half, positions in named:
         names = source.names_of(half)
-        prepared = sheet.halves[half]
+        prepared, heeded = correct_ink(sheet.halves[half], placed[half])
+        of_ink |= heeded
         frame = prepared.frame
         # from the centre line outwards: the aft half from aft forward, the fore half from forward aft
         inner_first = positions if half == "aft" else positions[::-1]
+        by_hand = {(c.station_m, c.curve) for c in corrections if isinstance(c, Drawn) and c.half == half}
         marks, doubts_of_marks = place_marks(
-            [mark for mark in source.marks if mark.half == half], inner_first, frame, sheet.size_px, sheet.reduction
+            [mark for mark in source.marks if mark.half == half and (mark.station_m, mark.curve) not in by_hand],
+            inner_first,
+            frame,
+            sheet.size_px,
+            sheet.reduction,
         )
-        reading = trace_half(prepared, len(inner_first), tuple((m.y_px, m.z_px) for m in marks))
+        reading = trace_half(prepared, len(inner_first), tuple((m.y_px, m.z_px) for m in marks), placed[half])
         if len(reading.curves) < min(FEWEST_CURVES, len(inner_first)):
             raise PictureError(
                 f"{path}: too few curves: {len(reading.curves)} found in the {half} half, which has {len(inner_first)} "
                 f"stations ({half}_stations_m); "
                 "check aft_side, breadth_m, depth_m and the calibration, or give a clearer picture"
             )
+        loops = [loop.points for loop in reading.loops]
+        marks, on_loops = marks_on_loops(marks, reading.curves, loops, frame.half_breadth_px)
+        used_marks |= {mark.mark for mark, _ in on_loops}
         marks, doubts_of_places = near_curves(marks, reading.curves, frame.half_breadth_px)
         at = [(mark.station, mark.y_px, mark.z_px) for mark in marks]
         labels = label_half(words or (), frame, names, inner_first)
@@ -141,22 +180,44 @@ def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
             half_breadths_at(reading.curves, frame.half_breadth_px),
             certainties(reading.curves, reading.confidences),
             mark_distances(reading.curves, at, len(inner_first)),
+            [(_index(inner_first, x), number) for number, x in reading.drawn],
             label_costs(labels.named, reading.curves, len(inner_first)),
         )
-        stations += _stations(reading, inner_first, assigned, names, notes, doubts)
-        doubts += doubts_of_marks + doubts_of_places
+        second = pair_loops(
+            loops,
+            [None if number == NO_CURVE else reading.curves[number] for number in assigned],
+            frame.half_breadth_px,
+            [(mark.station, loop) for mark, loop in on_loops],
+            [_index(inner_first, x) for x, _ in reading.second_contours],
+        )
+        used_marks |= {mark.mark for mark in marks}
+        of_lines |= set(reading.unheeded)
+        named_here, doubts_here = _stations(reading, inner_first, assigned, second, names, notes, doubts)
+        stations += named_here
+        station_doubts += doubts_here
+        curves += seen_curves(
+            reading, _by_curve(inner_first, assigned), _by_curve(inner_first, second), sheet.reduction
+        )
+        unused += unused_lines(reading, sheet.reduction)
+        doubts += [doubt.text for doubt in doubts_here] + doubts_of_marks + doubts_of_places
         doubts += unheeded(marks, reading.curves, assigned, frame.half_breadth_px)
         doubts += doubts_of_labels(labels, reading.curves, assigned)
         labelled.append(labels)
         halves.append(NamedHalf(reading, inner_first, tuple(assigned), names))
+    without_effect = unheeded_corrections(corrections, of_lines, of_ink, used_marks)
+    doubts += [item.text for item in without_effect]
     readings = [half.reading for half in halves]
     doubts += doubts_of_scale(str(path), readings, sheet.ink, sheet.bare, main.breadth_m, main.depth_m)
+    doubts += doubts_below_base(readings, sheet.bare) + doubts_of_keel(readings, main.depth_m)
     doubts += doubts_of_counts(halves)
     doubts += doubts_of_parallel_body(halves, main.length_between_perpendiculars_m)
     doubts += doubts_of_sides(labelled)
+    doubts += crosscheck(stations, main, ship.water)
     if words is None and len(doubts) > before_naming:
         notes.append(LABELS_NOT_READ)
-    doubts += doubts_of_size(path.name, readings)
+    fine_notes, fine_doubts = check_input(path.name, sheet.halves.values(), sheet.size_px[0])
+    notes += fine_notes
+    doubts += fine_doubts
     doubts += doubts_of_edges(readings, sheet.bare)
     calibration = sheet.calibrated.calibration
     body_plan = BodyPlan(tuple(stations), "picture", sheet.reduction.stored(calibration), tuple(notes), tuple(doubts))
@@ -177,33 +238,65 @@ def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
         "aft" if source.aft_side == "left" else "fore",
         sheet.calibrated.grid_m,
         sheer_m,
+        tuple(curves),
+        tuple(unused),
+        tuple(station_doubts),
+        without_effect,
     )
+
+
+def _index(inner_first: tuple[float, ...], station_m: float) -> int:
+    return int(np.argmin([abs(x - station_m) for x in inner_first]))
+
+
+def _by_curve(inner_first: tuple[float, ...], assigned: list[int]) -> dict[int, list[float]]:
+    out: dict[int, list[float]] = {}
+    for x, number in zip(inner_first, assigned, strict=True):
+        out.setdefault(number, []).append(x)
+    return out
+
+
+def _in_metres(points_px: Array, metres_per_px: float, confidence: float) -> TracedCurve:
+    return TracedCurve(points_px[:, 0] * metres_per_px, points_px[:, 1] * metres_per_px, confidence)
 
 
 def _stations(
     reading: HalfReading,
     inner_first: tuple[float, ...],
     assigned: list[int],
+    second: list[int],
     names: StationNames,
     notes: list[str],
     doubts: list[str],
-) -> list[Station]:
-    """The stations of a half with their curves in metres; reports what was shared and what was not sure."""
+) -> tuple[list[Station], list[StationDoubt]]:
+    """The stations of a half with their curves in metres, and which are not sure; reports what was shared."""
     scale = reading.frame.metres_per_px
-    curves = []
-    for points, confidence in zip(reading.curves, reading.confidences, strict=True):
-        curves.append(TracedCurve(points[:, 0] * scale, points[:, 1] * scale, confidence))
-    stations = []
-    for x, number in zip(inner_first, assigned, strict=True):
+    curves = [
+        _in_metres(points, scale, confidence)
+        for points, confidence in zip(reading.curves, reading.confidences, strict=True)
+    ]
+    contours = {
+        place: _in_metres(reading.loops[loop].points, scale, reading.loops[loop].confidence)
+        for place, loop in enumerate(second)
+        if loop != NO_LOOP
+    }
+    contours |= {_index(inner_first, x): _in_metres(points, scale, 1.0) for x, points in reading.second_contours}
+    stations: list[Station] = []
+    unsure: list[StationDoubt] = []
+    for place, (x, number) in enumerate(zip(inner_first, assigned, strict=True)):
+        further = (contours[place],) if place in contours else ()
         if number == NO_CURVE:
-            doubts.append(f"{names.one(x)}: not found; mark a point of its curve in [[body_plan.marks]]")
+            what = "only a contour that closes on the centre line was found" if further else "not found"
+            text = f"{names.one(x)}: {what}; mark a point of its curve in [[body_plan.marks]]"
+            unsure.append(StationDoubt(x, reading.half, text))
+            if further:
+                stations.append(Station(x, reading.half, further, names.of(x)))
             continue
         others = tuple(sorted(o for o, n in zip(inner_first, assigned, strict=True) if n == number and o != x))
-        stations.append(Station(x, reading.half, (curves[number],), names.of(x), others))
+        stations.append(Station(x, reading.half, (curves[number], *further), names.of(x), others))
         if curves[number].confidence < LOW_CONFIDENCE:
-            doubts.append(
-                f"{names.one(x)}: traced with confidence {curves[number].confidence:.2f}; look at it in the overlay"
-            )
+            text = f"{names.one(x)}: traced with confidence {curves[number].confidence:.2f}; look at it in the overlay"
+            unsure.append(StationDoubt(x, reading.half, text))
     named = set(assigned) - {NO_CURVE}
     for number in sorted(named):
         shared = sorted(x for x, n in zip(inner_first, assigned, strict=True) if n == number)
@@ -221,4 +314,4 @@ def _stations(
     found = f"{len(named)} curves for {len(inner_first)} stations"
     deck = "sheer line found" if reading.sheer is not None else "no sheer line beside the deck line"
     notes.append(f"{reading.half} half: {found}; {deck}")
-    return stations
+    return stations, unsure
