@@ -57,12 +57,12 @@ def assign_stations(
     marks = np.zeros((stations, curves)) if mark_distance_px is None else np.nan_to_num(mark_distance_px)
     at = np.clip(marks - MARK_NOISE_PX, 0.0, FARTHEST_MARK_PX)
     undrawn = COST_OF_UNDRAWN_STATION + np.where(np.ptp(at, axis=1) > 0, FARTHEST_MARK_PX, 0.0)
+    if label_cost is not None:
+        at = at + label_cost
     for station, curve in fixed:
         at[station] = COST_OF_ANOTHER
         at[station, curve] = 0.0
         undrawn[station] += COST_OF_ANOTHER
-    if label_cost is not None:
-        at = at + label_cost
     left_out = np.concatenate([[0.0], np.cumsum(COST_OF_UNNAMED_CURVE * np.asarray(certainty, dtype=np.float64))])
     before, after = left_out[:-1], left_out[-1] - left_out[1:]
     # from curve b to curve c of the next name: what lies between has no name
