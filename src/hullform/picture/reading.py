@@ -288,6 +288,12 @@ def _stations(
     unnamed = len(curves) - len(named) - reading.unlisted
     if unnamed > 0:
         doubts.append(f"{unnamed} curves of the {reading.half} half have no station; check {reading.half}_stations_m")
+    lost = len(reading.loops) - len(set(second) - {NO_LOOP})
+    if lost > 0:
+        doubts.append(
+            f"{lost} contours of the {reading.half} half that close on the centre line have no station; mark a point "
+            "of each in [[body_plan.marks]]"
+        )
     found = f"{len(named)} curves for {len(inner_first)} stations"
     deck = "sheer line found" if reading.sheer is not None else "no sheer line beside the deck line"
     notes.append(f"{reading.half} half: {found}; {deck}")
