@@ -59,7 +59,7 @@ def bulbous(fullness: float) -> Contours:
 
 
 def dome(fullness: float) -> Contours:
-    """A section with a dome below the base line: rounded, 1.4 m and more below it, a waist, a straight flare to the deck."""
+    """A section with a dome below the base line: rounded, 1.4 m and more below it, a waist, a straight flare."""
     around = np.linspace(-np.pi / 2, 0.6, 80)
     radius = 1.5 + fullness
     belly = np.column_stack([radius * np.cos(around), -0.4 + (1 + fullness / 2) * np.sin(around)])
