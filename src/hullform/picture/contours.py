@@ -7,7 +7,7 @@ the station next to the ones that are still one curve.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,7 @@ def pair_loops(
     curves: Sequence[Array | None],
     half_breadth_px: float,
     chosen: Sequence[tuple[int, int]] = (),
+    drawn: Collection[int] = (),
 ) -> list[int]:
     """The loop of each station, or -1.
 
@@ -34,6 +35,7 @@ def pair_loops(
         curves: of each station from the centre line outwards, the curve that it got, or None.
         half_breadth_px: B/2.
         chosen: (station, loop) that the user's marks say; these go before the order.
+        drawn: stations whose second contour a person drew: no loop is theirs.
     """
     out = [NO_LOOP] * len(curves)
     free = list(range(len(loops)))
@@ -41,7 +43,7 @@ def pair_loops(
         if loop in free and out[station] == NO_LOOP:
             out[station] = loop
             free.remove(loop)
-    waiting = [station for station in range(len(curves)) if out[station] == NO_LOOP]
+    waiting = [station for station in range(len(curves)) if out[station] == NO_LOOP and station not in drawn]
     for loop in free[::-1]:
         top = float(loops[loop][:, 1].max()) - OVERLAP * half_breadth_px
         two = [curve is None or _starts_above(curve, top, half_breadth_px) for curve in curves]

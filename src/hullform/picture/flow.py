@@ -109,8 +109,12 @@ def find_paths(
         reward, share = np.concatenate([reward, gain, gain]), np.concatenate([share, again, again])
         entry = np.concatenate([entry, bends.entry + COST_OF_CURVE * scale])
         leave = np.concatenate([leave, bends.leave])
-        links = links.with_others(bends.source, bends.target, bends.cost)
         first, last = first.with_others(bends.first), last.with_others(bends.last)
+        passable = constraints.passable(
+            np.column_stack([last.column, last.row])[bends.source],
+            np.column_stack([first.column, first.row])[bends.target],
+        )
+        links = links.with_others(bends.source[passable], bends.target[passable], bends.cost[passable])
 
     def solve(units: int) -> Flow | None:
         return _solve(reward, share, links, entry, leave, units, len(turning.pieces))

@@ -263,11 +263,8 @@ def trace_half(
         curves.insert(rank, evenly(curve))
         confidences.insert(rank, 1.0)
         drawn.append((rank, station))
-    taken = {piece for path in paths for piece in path.tracklets}
     unused = tuple(
-        np.column_stack(frame.to_drawing(t.column.astype(np.float64), t.row))
-        for number, t in enumerate(tracklets)
-        if number not in taken and len(t.column) >= SHORTEST_UNUSED_PX
+        np.column_stack(frame.to_drawing(*line)) for line in pieces.unused(paths) if len(line[0]) >= SHORTEST_UNUSED_PX
     )
     second = tuple((station, evenly(curve)) for (number, station), curve in by_hand.items() if number == 1)
     return HalfReading(

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from hullform.picture.flow import Path
 from hullform.picture.ridges import Tracklet
 from hullform.picture.turning import Turning
 
@@ -35,6 +36,15 @@ class Pieces:
         back, number = divmod(number - len(self.along), len(self.turning.pieces))
         column, row = self.turning.points(number)
         return (column[::-1], row[::-1]) if back else (column, row)
+
+    def unused(self, paths: Sequence[Path]) -> list[tuple[Array, Array]]:
+        """(column, row) of the pieces that no path takes, of lines that lean back one of both walks."""
+        n, m = len(self.along), len(self.turning.pieces)
+        taken = {number for path in paths for number in path.tracklets}
+        left = [number for number in range(n) if number not in taken]
+        seen_on_columns = self.turning.inboard_only
+        left += [n + i for i in range(m) if not seen_on_columns[i] and not {n + i, n + m + i} & taken]
+        return [self.points(number) for number in left]
 
 
 def bridged(columns: list[Array], rows: list[Array], weights: list[Array], in_gap: float) -> tuple[Array, Array, Array]:
