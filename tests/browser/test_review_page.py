@@ -281,6 +281,11 @@ def test_keys_choose_tools_zoom_move_and_fit(review: ReviewPage) -> None:
     assert review.at((1000, 700)) != pytest.approx(fitted, abs=5)
     review.press("0")
     assert review.at((1000, 700)) == pytest.approx(fitted, abs=0.01)
+    review.choose_station("fore", 60.0)
+    review.page.keyboard.press("ArrowDown")
+    review.settle()
+    assert review.station("fore", 65.0).get_attribute("aria-pressed") == "true"
+    assert review.at((1000, 700)) == pytest.approx(fitted, abs=0.01)
     # what is typed into a field is no key of the picture's
     review.page.get_by_text("Edit the list").click()
     review.page.locator("[data-list=aft]").press("x")

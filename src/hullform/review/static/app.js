@@ -54,7 +54,13 @@ export class App {
     if (this.draft) return { ...this.draft, pixel_from_metres: matrixOf(this.draft), grid_m: null };
     if (this.reading) return this.reading.calibration;
     const figures = { ...assumed(this.picture, this.ship), ...this.document.calibration };
-    return { ...figures, pixel_from_metres: matrixOf(figures), grid_m: null, residual_px: 0, source: "assumed" };
+    return {
+      ...figures,
+      pixel_from_metres: matrixOf(figures),
+      grid_m: null,
+      residual_px: 0,
+      source: "a guess to start from: nothing was found",
+    };
   }
 
   get selectedCorrection() {
