@@ -328,6 +328,7 @@ def test_saved_review_is_there_after_a_reload_and_in_the_trace(browser: Browser,
         assert review.count("aft") == "10 of 10"
     page.close(run_before_unload=False)
     assert main(["trace", str(ship)]) == 1
+    assert main(["review", str(ship), "--no-browser"]) == 1
 
 
 def test_page_opens_where_nothing_can_be_read_and_known_points_mend_it(browser: Browser, tmp_path: Path) -> None:

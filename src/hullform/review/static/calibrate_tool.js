@@ -69,6 +69,7 @@ export const calibrateTool = {
   follow(app) {
     const given = app.document.calibration?.points;
     if (given?.length) this.points = given;
+    else if (this.points.length > 1) this.points = [];
   },
 };
 
