@@ -251,6 +251,23 @@ def test_station_list_can_be_edited_and_a_wrong_one_keeps_the_former_view(review
     review.said.clear()
 
 
+def test_stations_get_the_names_that_the_drawing_shows(review: ReviewPage) -> None:
+    review.page.get_by_text("Edit the list").click()
+    names = "½, 1, 2, 3, 4, 5, 6, 7, 8, 9"
+    review.page.locator("[data-names=aft]").fill(names)
+    review.page.locator("#apply-stations").click()
+    review.settle()
+    assert review.review["stations"]["aft_station_names"] == names.split(", ")
+    assert review.station("aft", 2.5).locator(".name").inner_text().startswith("½")
+    assert "½" in [curve["label"] for curve in review.reading["curves"]]
+    # a station that is taken away takes its name along
+    review.page.locator("[data-list=aft]").fill("2.5, 10, 15, 20, 25, 30, 35, 40, 45")
+    review.page.locator("#apply-stations").click()
+    review.settle()
+    assert review.review["stations"]["aft_station_names"] == [name for name in names.split(", ") if name != "1"]
+    assert review.count("aft").endswith("of 9")
+
+
 def test_undo_and_redo_go_through_every_change(review: ReviewPage) -> None:
     places = [review.reading["curves"][n]["px"][50] for n in (3, 6, 12)]
     review.press("k", "0")

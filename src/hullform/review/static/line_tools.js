@@ -78,7 +78,7 @@ export const drawTool = gathering({
     const { station } = app;
     if (!station) return "Choose a station in the list, then click points along its curve from keel to deck.";
     const contour = app.secondContour ? "the second contour" : "the curve";
-    const which = `${contour} of station ${station.x_m} (${station.half})`;
+    const which = `${contour} of station ${app.nameOf(station)} (${station.half})`;
     const between = this.smooth ? "smooth" : "straight";
     return this.points.length
       ? `${this.points.length} points of ${which}. Enter ends, Backspace takes one back, Esc drops them.`
@@ -104,7 +104,7 @@ export const drawTool = gathering({
       px: points,
       smooth: this.smooth,
     };
-    app.change(withOnly(app.document, drawn), `draw station ${x_m}`);
+    app.change(withOnly(app.document, drawn), `draw station ${app.nameOf({ half, x_m })}`);
     const next = stationAfter(app, app.station);
     if (!app.secondContour && next) app.selectStation(next);
   },
