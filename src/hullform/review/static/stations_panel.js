@@ -49,7 +49,7 @@ function drawHalf(app, half) {
     make(
       "p",
       { class: "columns", "aria-hidden": "true" },
-      make("span", {}, rows.some((row) => row.name) ? "name, x in m" : "x, m"),
+      make("span", {}, rows.some((row) => row.name) ? "name, x" : "x, m"),
       make("span", { title: "distance from the line, px" }, "px"),
       make("span", { title: "confidence" }, "%"),
     ),
