@@ -19,7 +19,7 @@ from hullform.picture.ink import Ink
 from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
 from hullform.picture.ridges import Tracklet, find_peaks, find_tracklets, line_width, usable, without_hair_lines
 from hullform.picture.sheer import SheerLine, find_sheer
-from hullform.picture.side import top_of_side
+from hullform.picture.side import find_side
 from hullform.picture.smoothing import Trace, smooth_traces
 
 Array = NDArray[np.float64]
@@ -66,6 +66,7 @@ class HalfInk:
         depth_px: depth at side.
         deck_level_px: height of a level deck line at the depth, or None where none is drawn.
         side_top_px: height to which stations run along the line of B/2, or None where none does.
+        side_steps_px: heights at which stations end on it inside the outermost one.
         sheer: the deck edge, or None where none was found.
         tracklets: pieces of curve.
     """
@@ -79,6 +80,7 @@ class HalfInk:
     depth_px: float
     deck_level_px: float | None
     side_top_px: float | None
+    side_steps_px: tuple[float, ...]
     sheer: SheerLine | None
     tracklets: list[Tracklet]
 
@@ -98,7 +100,8 @@ def prepare_half(
     here = frame.sample(bare)
     width = line_width(here)
     hidden = _widened(frame.sample_mask(mask), width)
-    side_top = top_of_side(ink, frame, width)
+    side = find_side(ink, frame, width)
+    side_top = side.top_px
     if side_top is not None and abs(side_top / depth_px - 1) < NEAR_DEPTH:
         side_top = depth_px
     sheer = find_sheer(bare, frame, depth_px, side_top)
@@ -115,7 +118,7 @@ def prepare_half(
     tracklets = without_hair_lines(find_tracklets(peaks.chosen(~(on_deck | above))))
     single = float(np.percentile(np.concatenate([t.width for t in tracklets]), 35)) if tracklets else width
     level = depth_px if deck_line else None
-    return HalfInk(half, frame, here, hidden, width, single, depth_px, level, side_top, sheer, tracklets)
+    return HalfInk(half, frame, here, hidden, width, single, depth_px, level, side_top, side.steps_px, sheer, tracklets)
 
 
 def trace_half(prepared: HalfInk, most: int, marks: tuple[tuple[float, float], ...] = ()) -> HalfReading:
@@ -139,7 +142,12 @@ def trace_half(prepared: HalfInk, most: int, marks: tuple[tuple[float, float], .
     )
     traces = smooth_traces(paths, tracklets, prepared.single_px, frame)
     level = prepared.deck_level_px
-    finished = [finish(trace, frame, here, prepared.hidden, sheer, level, side_top) for trace in traces]
+    steps = [*prepared.side_steps_px] if side_top is not None else []
+    finished = []
+    for number, trace in enumerate(traces):
+        # where the side thins, stations end; what goes on is the outermost
+        own_steps = steps if number < len(traces) - 1 else []
+        finished.append(finish(trace, frame, here, prepared.hidden, sheer, level, side_top, own_steps))
     curves = tuple(_evenly(np.column_stack(curve)) for curve in finished)
     confidences = tuple(_confidence(trace) for trace in traces)
     return HalfReading(prepared.half, frame, curves, confidences, sheer, width, unlisted)
