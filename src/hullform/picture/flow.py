@@ -8,6 +8,7 @@ optimum of the linear relaxation is integral.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,7 +31,8 @@ COST_OF_CURVE = 45.0  # what a curve must gather: half of the shortest station t
 DEAREST_LINK = 120.0
 COST_OF_KNUCKLE = 25.0
 MARGIN_OF_ORDER = 0.02  # of B/2: starts nearer than this to an axis lie on it
-REWARD_OF_MARK = 1500.0  # for the tracklet under a user's mark
+REWARD_OF_MARK = 1500.0  # for each curve that runs along the tracklet under a user's mark, one a marked station
+FARTHEST_MARK_PX = 9.0  # from a tracklet that it means
 MOST_UNLISTED = 8  # curves beyond the listed stations that are looked for
 LEAST_GAIN_UNLISTED = 20.0  # of each of them, px of ink: half of the shortest station that is drawn
 
@@ -51,7 +53,7 @@ def find_paths(
     width_px: float,
     top_px: Array,
     most: int,
-    marks: tuple[tuple[float, float], ...] = (),
+    marks: Sequence[MarkInFrame] = (),
     side_top_px: float | None = None,
 ) -> tuple[list[Path], int]:
     """The curves of one half, each worth more than it costs, and how many of them are more than `most`.
@@ -63,7 +65,7 @@ def find_paths(
         width_px: thickness of one line.
         top_px: (len(tracklets),) height of the deck edge over the last end of each, px of the drawing.
         most: number of stations that the half may show.
-        marks: (column, row) of points that a user put on curves.
+        marks: points that a user put on curves.
         side_top_px: height to which the line of B/2 is drawn by stations, or None where none runs along it.
 
     Returns:
@@ -82,11 +84,12 @@ def find_paths(
     width = np.array([float(np.median(t.width)) for t in tracklets])
     spare = np.clip(1.0 - 2.0 * np.clip(width / width_px - 1.0, 0.0, 4.0), 0.0, 1.0)
     share = length * (0.02 + 0.4 * spare) + 0.5
-    for index in _marked(tracklets, marks):
-        reward[index] -= REWARD_OF_MARK * scale
+    marked = _marked(tracklets, marks)
+    reward[marked > 0] -= REWARD_OF_MARK * scale
+    network = Network(reward, share, source, target, link_cost, entry, leave, marked, REWARD_OF_MARK * scale)
 
     def solve(units: int) -> Flow | None:
-        return _solve(reward, share, source, target, link_cost, entry, leave, units)
+        return _solve(network, units)
 
     flow = solve(most)
     if flow is None:
@@ -120,19 +123,51 @@ class Flow:
         return int(self.entries.sum())
 
 
-def _marked(tracklets: list[Tracklet], marks: tuple[tuple[float, float], ...]) -> list[int]:
-    """The tracklet under each mark, within 9 px."""
-    found = []
-    for column, row in marks:
+@dataclass(frozen=True)
+class MarkInFrame:
+    """A user's point on the curve of a station, on the diagonal frame."""
+
+    station: int
+    column: float
+    row: float
+
+
+@dataclass(frozen=True, eq=False)
+class Network:
+    """Costs of the flow, px of ink.
+
+    Attributes:
+        reward: of the first curve on each tracklet; `share`: of each further one.
+        source, target, link: tracklets that may follow each other, and the cost.
+        entry, leave: of a curve that begins or ends with each tracklet.
+        marked: number of stations that a user marked on each tracklet.
+        reward_of_mark: for each further curve up to that number.
+    """
+
+    reward: Array
+    share: Array
+    source: Indices
+    target: Indices
+    link: Array
+    entry: Array
+    leave: Array
+    marked: Indices
+    reward_of_mark: float
+
+
+def _marked(tracklets: list[Tracklet], marks: Sequence[MarkInFrame]) -> Indices:
+    """Number of stations that are marked on each tracklet."""
+    stations: list[set[int]] = [set() for _ in tracklets]
+    for mark in marks:
         misses = [
-            abs(float(np.interp(column, t.column, t.row)) - row)
-            if t.column[0] - 4 <= column <= t.column[-1] + 4
+            abs(float(np.interp(mark.column, t.column, t.row)) - mark.row)
+            if t.column[0] - 4 <= mark.column <= t.column[-1] + 4
             else np.inf
             for t in tracklets
         ]
-        if misses and min(misses) < 9:
-            found.append(int(np.argmin(misses)))
-    return found
+        if misses and min(misses) < FARTHEST_MARK_PX:
+            stations[int(np.argmin(misses))].add(mark.station)
+    return np.array([len(there) for there in stations], dtype=np.int64)
 
 
 def _links(
@@ -173,30 +208,45 @@ def _links(
     return source[good].astype(np.int64), target[good].astype(np.int64), cost[good]
 
 
-def _solve(
-    reward: Array, share: Array, source: Indices, target: Indices, link: Array, entry: Array, leave: Array, most: int
-) -> Flow | None:
+def _solve(network: Network, most: int) -> Flow | None:
     """The cheapest flow of at most `most` units."""
-    n, m = len(reward), len(link)
-    cost = np.concatenate([reward, share, link, entry, leave])
-    upper = np.concatenate([np.ones(n), np.full(n, most - 1.0), np.full(m + 2 * n, float(most))])
+    source, target = network.source, network.target
+    n, m = len(network.reward), len(network.link)
+    wanted = np.flatnonzero(network.marked > 1)  # by more curves than one
+    cost = np.concatenate(
+        [
+            network.reward,
+            network.share,
+            network.link,
+            network.entry,
+            network.leave,
+            network.share[wanted] - network.reward_of_mark,
+        ]
+    )
+    upper = np.concatenate(
+        [np.ones(n), np.full(n, most - 1.0), np.full(m + 2 * n, float(most)), network.marked[wanted] - 1.0]
+    )
     node, arc = np.arange(n), np.arange(m)
     # what comes in (links, entries) passes the tracklet (first use, shared use) and goes out (links, exits)
-    rows = np.concatenate([target, node, node, node, n + source, n + node, n + node, n + node])
+    rows = np.concatenate([target, node, node, node, wanted, n + source, n + node, n + node, n + node, n + wanted])
     first, second, links, entries, exits = 0, n, 2 * n, 2 * n + m, 3 * n + m
+    further = 4 * n + m + np.arange(wanted.size)
     columns = np.concatenate(
         [
             links + arc,
             entries + node,
             first + node,
             second + node,
+            further,
             links + arc,
             exits + node,
             first + node,
             second + node,
+            further,
         ]
     )
-    signs = np.concatenate([np.ones(m + n), -np.ones(2 * n), np.ones(m + n), -np.ones(2 * n)])
+    inside = -np.ones(2 * n + wanted.size)
+    signs = np.concatenate([np.ones(m + n), inside, np.ones(m + n), inside])
     balance = coo_matrix((signs, (rows, columns)), shape=(2 * n, len(cost))).tocsr()
     units = coo_matrix((np.ones(n), (np.zeros(n, dtype=np.int64), entries + node)), shape=(1, len(cost))).tocsr()
     result = linprog(  # type: ignore[call-overload]  # the stubs know no sparse matrices
@@ -211,7 +261,7 @@ def _solve(
     if result.x is None:
         return None
     x = np.round(result.x).astype(np.int64)
-    return Flow(x[links:entries], x[entries:exits], x[exits:], float(result.fun))
+    return Flow(x[links:entries], x[entries:exits], x[exits : exits + n], float(result.fun))
 
 
 def _decompose(

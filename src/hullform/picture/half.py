@@ -5,6 +5,7 @@ What depends on the picture alone is prepared once; tracing is quick and can be 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -13,7 +14,7 @@ from numpy.typing import NDArray
 
 from hullform.body_plan import Half
 from hullform.picture.finishing import finish
-from hullform.picture.flow import find_paths
+from hullform.picture.flow import MarkInFrame, find_paths
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
 from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
@@ -121,13 +122,13 @@ def prepare_half(
     return HalfInk(half, frame, here, hidden, width, single, depth_px, level, side_top, side.steps_px, sheer, tracklets)
 
 
-def trace_half(prepared: HalfInk, most: int, marks: tuple[tuple[float, float], ...] = ()) -> HalfReading:
+def trace_half(prepared: HalfInk, most: int, marks: Sequence[tuple[int, float, float]] = ()) -> HalfReading:
     """Trace the curves of one half.
 
     Args:
         prepared: its ink.
         most: number of stations of the half.
-        marks: (y, z) in px of the drawing of the user's marks.
+        marks: station, and (y, z) in px of the drawing, of the user's marks.
     """
     here, frame, sheer, tracklets = prepared.ink, prepared.frame, prepared.sheer, prepared.tracklets
     side_top, width = prepared.side_top_px, prepared.line_width_px
@@ -136,7 +137,7 @@ def trace_half(prepared: HalfInk, most: int, marks: tuple[tuple[float, float], .
     ends = np.array([(t.column[-1], t.row[-1]) for t in tracklets], dtype=np.float64)
     end_y, _ = frame.to_drawing(ends[:, 0], ends[:, 1])
     top = sheer.at(end_y) if sheer is not None else np.full(len(tracklets), prepared.depth_px)
-    seeds = tuple((float(c), float(r)) for c, r in (frame.from_drawing(y, z) for y, z in marks))
+    seeds = [MarkInFrame(n, *(float(value) for value in frame.from_drawing(y, z))) for n, y, z in marks]
     paths, unlisted = find_paths(
         tracklets, here, prepared.hidden, frame, prepared.single_px, top, most, seeds, side_top
     )

@@ -114,7 +114,7 @@ def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
         marks, doubts_of_marks = place_marks(
             [mark for mark in source.marks if mark.half == half], inner_first, frame, sheet.size_px, sheet.reduction
         )
-        reading = trace_half(prepared, len(names), tuple((m.y_px, m.z_px) for m in marks))
+        reading = trace_half(prepared, len(names), [(m.station, m.y_px, m.z_px) for m in marks])
         if len(reading.curves) < min(FEWEST_CURVES, len(names)):
             raise PictureError(
                 f"{path}: too few curves: {len(reading.curves)} found in the {half} half, which has {len(names)} "
