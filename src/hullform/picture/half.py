@@ -22,6 +22,7 @@ from hullform.picture.ridges import Tracklet, find_peaks, find_tracklets, line_w
 from hullform.picture.sheer import SheerLine, find_sheer
 from hullform.picture.side import find_side
 from hullform.picture.smoothing import Trace, smooth_traces
+from hullform.picture.uncrossing import uncrossed
 
 Array = NDArray[np.float64]
 
@@ -141,6 +142,7 @@ def trace_half(prepared: HalfInk, most: int, marks: Sequence[tuple[int, float, f
     paths, unlisted = find_paths(
         tracklets, here, prepared.hidden, frame, prepared.single_px, top, most, seeds, side_top
     )
+    paths = uncrossed(paths, tracklets, prepared.single_px)
     traces = smooth_traces(paths, tracklets, prepared.single_px, frame)
     level = prepared.deck_level_px
     steps = [*prepared.side_steps_px] if side_top is not None else []
