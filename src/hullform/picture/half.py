@@ -117,7 +117,7 @@ def prepare_half(
     else:
         on_deck = (z > DECK_ZONE * depth_px) & (peaks.slope > LEVEL_SLOPE)
         above = z > (1.01 if deck_line else 1.6) * depth_px
-    tracklets = without_hair_lines(find_tracklets(peaks.chosen(~(on_deck | above))))
+    tracklets = without_hair_lines(find_tracklets(peaks.chosen(~(on_deck | above))), width)
     single = float(np.percentile(np.concatenate([t.width for t in tracklets]), 35)) if tracklets else width
     level = depth_px if deck_line else None
     return HalfInk(half, frame, here, hidden, width, single, depth_px, level, side_top, side.steps_px, sheer, tracklets)
