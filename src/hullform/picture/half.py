@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from hullform.body_plan import Half
 from hullform.picture.finishing import finish
-from hullform.picture.flow import MarkInFrame, find_paths
+from hullform.picture.flow import MarkInFrame, Path, find_paths
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
 from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
@@ -44,6 +44,8 @@ class HalfReading:
         confidences: 0..1 of each.
         sheer: the deck edge, or None where none was found.
         unlisted: by how many the curves are more than the stations that are listed.
+        decks_px: heights of level decks and of the side's top, px above the base line.
+        unread_px: [y, z] of the middle and length of each piece that no curve took, px of the drawing.
     """
 
     half: Half
@@ -53,6 +55,8 @@ class HalfReading:
     sheer: SheerLine | None
     line_width_px: float
     unlisted: int = 0
+    decks_px: tuple[float, ...] = ()
+    unread_px: tuple[tuple[float, float, float], ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,7 +157,9 @@ def trace_half(prepared: HalfInk, most: int, marks: Sequence[tuple[int, float, f
         finished.append(finish(trace, frame, here, prepared.hidden, sheer, level, side_top, own_steps))
     curves = tuple(_evenly(np.column_stack(curve)) for curve in finished)
     confidences = tuple(_confidence(trace) for trace in traces)
-    return HalfReading(prepared.half, frame, curves, confidences, sheer, width, unlisted)
+    decks = tuple(z for z in (level, side_top, *prepared.side_steps_px) if z is not None)
+    unread = _unread(paths, tracklets, frame)
+    return HalfReading(prepared.half, frame, curves, confidences, sheer, width, unlisted, decks, unread)
 
 
 def _widened(mask: Mask, width_px: float) -> Mask:
@@ -169,6 +175,20 @@ def _confidence(trace: Trace) -> float:
     alone = 0.5 + 0.5 * min(1.0, trace.own / 0.5)
     seen = min(1.0, trace.visible / HIDDEN_BY_GRID)
     return float(np.clip(seen * alone * np.exp(-max(trace.end_cost, 0.0) / 200.0), 0.0, 1.0))
+
+
+def _unread(
+    paths: Sequence[Path], tracklets: Sequence[Tracklet], frame: DiagonalFrame
+) -> tuple[tuple[float, float, float], ...]:
+    """The middle and the length of every piece that no path runs along, px of the drawing."""
+    used = {piece for path in paths for piece in path.tracklets}
+    out = []
+    for number, piece in enumerate(tracklets):
+        if number not in used:
+            y, z = frame.to_drawing(piece.column.astype(np.float64), piece.row)
+            middle = len(y) // 2
+            out.append((float(y[middle]), float(z[middle]), float(np.hypot(np.diff(y), np.diff(z)).sum())))
+    return tuple(out)
 
 
 def _evenly(points: Array) -> Array:

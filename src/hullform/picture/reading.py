@@ -20,6 +20,7 @@ from hullform.picture.doubts import (
 )
 from hullform.picture.half import HalfReading, trace_half
 from hullform.picture.ink import Picture
+from hullform.picture.loose_ends import doubts_of_loose_ends
 from hullform.picture.marks import near_curves, place_marks, unheeded
 from hullform.picture.naming import NO_CURVE, assign_stations, half_breadths_at, mark_distances
 from hullform.picture.reduction import Reduction
@@ -139,6 +140,7 @@ def read_sheet(sheet: Sheet, ship: Ship) -> PictureReading:
     doubts += doubts_of_parallel_body(halves, main.length_between_perpendiculars_m)
     doubts += doubts_of_size(path.name, readings)
     doubts += doubts_of_edges(readings, sheet.bare)
+    doubts += doubts_of_loose_ends(halves)
     calibration = sheet.calibrated.calibration
     body_plan = BodyPlan(tuple(stations), "picture", sheet.reduction.stored(calibration), tuple(notes), tuple(doubts))
     scale = calibration.metres_per_px

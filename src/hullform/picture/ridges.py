@@ -176,7 +176,7 @@ def _without_hooks(tracklet: Tracklet, width_px: float) -> Tracklet:
         if len(row) < 4 * hook:
             continue
         stretch = np.arange(hook, min(len(row), 4 * hook))
-        slope, offset = np.polyfit(stretch, row[stretch], 1)
+        offset = float(np.polyfit(stretch, row[stretch], 1)[1])
         if abs(row[0] - offset) > HOOK_PX:
             cut[end] = hook
     return tracklet.chosen(np.arange(cut[0], len(tracklet.column) - cut[1])) if any(cut) else tracklet

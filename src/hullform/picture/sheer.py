@@ -81,7 +81,7 @@ def _sheer_above(
     grid_z, grid_y = np.meshgrid(z, y, indexing="ij")
     u, v = frame.to_picture(grid_y, grid_z)
     upright = cv2.remap(ink, u.astype(np.float32), v.astype(np.float32), cv2.INTER_LINEAR, borderValue=0)
-    smooth = cv2.GaussianBlur(upright, (0, 0), 1.0)
+    smooth = np.asarray(cv2.GaussianBlur(upright, (0, 0), 1.0), dtype=np.float32)
     # thin grey lines are weaker than the stations: what counts is that there is a ridge, not how black it is
     along = np.max([cv2.filter2D(smooth, -1, _stroke(slope)) for slope in FALLS], axis=0)
     flat = np.minimum(along / RIDGE, 1.0)
@@ -142,7 +142,7 @@ def _half_thickness(smooth: Ink, columns: Indices, rows: Indices) -> int:
 def _drawn(smooth: Ink, columns: Indices, rows: Indices) -> NDArray[np.bool_]:
     """Where along a path there is ink, within two pixels."""
     near = np.clip(rows[:, None] + np.arange(-2, 3), 0, len(smooth) - 1)
-    return np.asarray(smooth[near, columns[:, None]].max(axis=1) > RIDGE)
+    return np.asarray(smooth[near, columns[:, None]].max(axis=1) > RIDGE / 2)
 
 
 def _outermost_part(smooth: Ink, columns: Indices, rows: Indices, longest_break: int) -> tuple[Indices, Indices]:

@@ -71,7 +71,9 @@ def find_side(ink: Ink, frame: DiagonalFrame, width_px: float) -> ShipSide:
     runs = np.flatnonzero(cv2.morphologyEx(drawn.astype(np.uint8)[:, None], cv2.MORPH_OPEN, kernel)[:, 0])
     if not runs.size:
         return ShipSide(None)
-    strokes = cv2.morphologyEx(drawn.astype(np.uint8)[:, None], cv2.MORPH_OPEN, np.ones((SHORTEST_STROKE_PX, 1), np.uint8))
+    strokes = cv2.morphologyEx(
+        drawn.astype(np.uint8)[:, None], cv2.MORPH_OPEN, np.ones((SHORTEST_STROKE_PX, 1), np.uint8)
+    )
     further = np.flatnonzero(strokes[runs[-1] :, 0])
     breaks = np.flatnonzero(np.diff(further) > LONGEST_GAP * size)
     last = int(runs[-1]) + int(further[breaks[0] if breaks.size else -1])
