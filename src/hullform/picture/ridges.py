@@ -155,7 +155,7 @@ def without_hair_lines(tracklets: list[Tracklet], width_px: float) -> list[Track
     if not tracklets:
         return []
     boldness = np.concatenate([t.width * np.minimum(t.strength, 1.0) for t in tracklets])
-    usual = float(np.percentile(boldness, USUAL_BOLDNESS))
+    usual = min(float(np.percentile(boldness, USUAL_BOLDNESS)), width_px)  # where many merge, most ink is bolder
     kept = []
     for t in tracklets:
         ink = t.width * np.minimum(t.strength, 1.0)
