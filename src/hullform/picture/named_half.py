@@ -104,7 +104,7 @@ def read_half(
         sheet.size_px,
         sheet.reduction,
     )
-    reading = trace_half(prepared, len(inner_first), tuple((m.y_px, m.z_px) for m in marks), placed)
+    reading = trace_half(prepared, len(inner_first), [(m.station, m.y_px, m.z_px) for m in marks], placed)
     if len(reading.curves) < min(FEWEST_CURVES, len(inner_first)):
         raise PictureError(
             f"{sheet.path}: too few curves: {len(reading.curves)} found in the {half} half, which has "
