@@ -116,4 +116,5 @@ def _steps(z: Array, across: Array, width_px: float) -> tuple[float, ...]:
         at = int(np.argmax(drop))
         steps.append(float(z[at + length]))
         drop[max(0, at - 2 * offset) : at + 2 * offset] = 0.0
-    return tuple(sorted(steps))
+    # stations that end inside the outermost one do so at one deck; several steps are those of a coarse raster
+    return tuple(steps) if len(steps) == 1 else ()
