@@ -6,7 +6,7 @@ visible stretch, which meets the line or touches it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,6 +47,7 @@ def finish(
     sheer: SheerLine | None,
     depth_px: float | None,
     side_top_px: float | None = None,
+    side_steps_px: Sequence[float] = (),
 ) -> tuple[Array, Array]:
     """(y, z) of the whole curve in px of the drawing, from keel to deck.
 
@@ -57,10 +58,13 @@ def finish(
         sheer: of its half, or None.
         depth_px: height of a level deck line, or None where none is drawn.
         side_top_px: height to which the line of B/2 is drawn, for curves that join it, or None.
+        side_steps_px: heights at which curves like this one end on that line, ascending.
     """
     column, row = _visible_part(trace, frame)
     y, z = frame.to_drawing(column, row)
     size = frame.half_breadth_px
+    if side_top_px is not None:
+        side_top_px = _own_top(y, z, size, side_top_px, side_steps_px)
     y, z = _lower_end(y, z, size)
     y, z = _without_level_tail(y, z, size)
     deck_over, reaches = _deck_over(trace, frame, ink, sheer, depth_px)
@@ -69,6 +73,13 @@ def finish(
         return y, z
     deck = depth_px if sheer is None else float(sheer.at(size))
     return _up_the_side(y, z, size, min(side_top_px, np.inf if deck is None else deck))
+
+
+def _own_top(y: Array, z: Array, size: float, top: float, steps: Sequence[float]) -> float:
+    """Where a curve ends that joins the line of B/2: at the first step above the place."""
+    joined = z[y > (1 - AT_LINE) * size]
+    height = float(joined[0]) if joined.size else float(z[-1])
+    return next((step for step in steps if step > height), top)
 
 
 def finish_contour(trace: Trace, frame: DiagonalFrame) -> tuple[Array, Array]:

@@ -8,6 +8,7 @@ optimum of the linear relaxation is integral.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -41,7 +42,8 @@ Indices = NDArray[np.int64]
 REFERENCE_PX = 800.0  # per B/2: the costs below are for a drawing of this size and scale with it
 COST_OF_CURVE = 45.0  # what a curve must gather: half of the shortest station that is drawn, twice a label's stroke
 MARGIN_OF_ORDER = 0.02  # of B/2: starts nearer than this to an axis lie on it
-REWARD_OF_MARK = 1500.0  # for the tracklet under a user's mark
+REWARD_OF_MARK = 1500.0  # for each curve that runs along the tracklet under a user's mark, one a marked station
+FARTHEST_MARK_PX = 9.0  # from a tracklet that it means
 MOST_UNLISTED = 8  # curves beyond the listed stations that are looked for
 LEAST_GAIN_UNLISTED = 20.0  # of each of them, px of ink: half of the shortest station that is drawn
 
@@ -66,7 +68,7 @@ def find_paths(
     width_px: float,
     top_px: Array,
     most: int,
-    marks: tuple[tuple[float, float], ...] = (),
+    marks: Sequence[MarkInFrame] = (),
     side_top_px: float | None = None,
     constraints: Constraints = UNCONSTRAINED,
     turning: Turning = NOTHING_TURNS,
@@ -80,7 +82,7 @@ def find_paths(
         width_px: thickness of one line.
         top_px: (len(tracklets),) height of the deck edge over the last end of each, px of the drawing.
         most: number of stations that the half may show.
-        marks: (column, row) of points that a user put on curves.
+        marks: points that a user put on curves.
         side_top_px: height to which the line of B/2 is drawn by stations, or None where none runs along it.
         constraints: what the user says of links, ends and shared lines.
         turning: pieces that lean back, walked across the frame.
@@ -99,14 +101,14 @@ def find_paths(
     leave = constraints.at_ends(leave, [end_of(t) for t in tracklets], scale)
     reward, share = _worth(tracklets, width_px)
     share[constraints.shared(tracklets, links)] = 0.0
-    for index in _marked(tracklets, marks):
-        reward[index] -= REWARD_OF_MARK * scale
+    marked = _marked(tracklets, marks)
     if turning.pieces:
         bends = find_bends(tracklets, first, last, turning, mask, frame, scale)
         gain, again = _worth(turning.pieces, width_px)
-        for index in _marked(turning.pieces, tuple((row, turning.rows - 1.0 - column) for column, row in marks)):
-            gain[index] -= REWARD_OF_MARK * scale
+        across = [MarkInFrame(mark.station, mark.row, turning.rows - 1.0 - mark.column) for mark in marks]
+        once = np.minimum(_marked(turning.pieces, across), 1)
         reward, share = np.concatenate([reward, gain, gain]), np.concatenate([share, again, again])
+        marked = np.concatenate([marked, once, once])
         entry = np.concatenate([entry, bends.entry + COST_OF_CURVE * scale])
         leave = np.concatenate([leave, bends.leave])
         first, last = first.with_others(bends.first), last.with_others(bends.last)
@@ -115,9 +117,11 @@ def find_paths(
             np.column_stack([first.column, first.row])[bends.target],
         )
         links = links.with_others(bends.source[passable], bends.target[passable], bends.cost[passable])
+    reward[marked > 0] -= REWARD_OF_MARK * scale
+    network = Network(reward, share, links, entry, leave, marked, REWARD_OF_MARK * scale, len(turning.pieces))
 
     def solve(units: int) -> Flow | None:
-        return _solve(reward, share, links, entry, leave, units, len(turning.pieces))
+        return _solve(network, units)
 
     flow, unlisted = solve(most), 0
     while flow is None and unlisted < MOST_UNLISTED:  # more lines are to be joined than there are stations
@@ -161,19 +165,52 @@ def _worth(tracklets: list[Tracklet], width_px: float) -> tuple[Array, Array]:
     return -length * np.minimum(1.0, strength / 0.5), length * (0.02 + 0.4 * spare) + 0.5
 
 
-def _marked(tracklets: list[Tracklet], marks: tuple[tuple[float, float], ...]) -> list[int]:
-    """The tracklet under each mark, within 9 px."""
-    found = []
-    for column, row in marks:
+@dataclass(frozen=True)
+class MarkInFrame:
+    """A user's point on the curve of a station, on the diagonal frame."""
+
+    station: int
+    column: float
+    row: float
+
+
+@dataclass(frozen=True, eq=False)
+class Network:
+    """Costs of the flow, px of ink.
+
+    Attributes:
+        reward: of the first curve on each piece; `share`: of each further one.
+        links: pieces that may follow each other.
+        entry, leave: of a curve that begins or ends with each piece.
+        marked: number of stations that a user marked on each piece.
+        reward_of_mark: for each further curve up to that number.
+        twins: the last 2 * twins pieces are so many walked one way, then the same walked the other way: each is used
+            once.
+    """
+
+    reward: Array
+    share: Array
+    links: Links
+    entry: Array
+    leave: Array
+    marked: Indices
+    reward_of_mark: float
+    twins: int
+
+
+def _marked(tracklets: list[Tracklet], marks: Sequence[MarkInFrame]) -> Indices:
+    """Number of stations that are marked on each tracklet."""
+    stations: list[set[int]] = [set() for _ in tracklets]
+    for mark in marks:
         misses = [
-            abs(float(np.interp(column, t.column, t.row)) - row)
-            if t.column[0] - 4 <= column <= t.column[-1] + 4
+            abs(float(np.interp(mark.column, t.column, t.row)) - mark.row)
+            if t.column[0] - 4 <= mark.column <= t.column[-1] + 4
             else np.inf
             for t in tracklets
         ]
-        if misses and min(misses) < 9:
-            found.append(int(np.argmin(misses)))
-    return found
+        if misses and min(misses) < FARTHEST_MARK_PX:
+            stations[int(np.argmin(misses))].add(mark.station)
+    return np.array([len(there) for there in stations], dtype=np.int64)
 
 
 def _links(
@@ -215,35 +252,46 @@ def _links(
     return source[good].astype(np.int64), target[good].astype(np.int64), cost[good]
 
 
-def _solve(
-    reward: Array, share: Array, passed: Links, entry: Array, leave: Array, most: int, twins: int = 0
-) -> Flow | None:
-    """The cheapest flow of at most `most` units; None where the links that must be passed need more.
-
-    The last 2 * `twins` nodes are pieces walked one way, then the same pieces walked the other way: each is used once.
-    """
-    n, m = len(reward), len(passed.cost)
-    source, target = passed.source, passed.target
-    cost = np.concatenate([reward, share, passed.cost, entry, leave])
-    lower = np.concatenate([np.zeros(2 * n), passed.least, np.zeros(2 * n)])
-    upper = np.concatenate([np.ones(n), np.full(n, most - 1.0), np.full(m + 2 * n, float(most))])
+def _solve(network: Network, most: int) -> Flow | None:
+    """The cheapest flow of at most `most` units; None where the links that must be passed need more."""
+    source, target, twins = network.links.source, network.links.target, network.twins
+    n, m = len(network.reward), len(network.links.cost)
+    wanted = np.flatnonzero(network.marked > 1)  # by more curves than one
+    cost = np.concatenate(
+        [
+            network.reward,
+            network.share,
+            network.links.cost,
+            network.entry,
+            network.leave,
+            network.share[wanted] - network.reward_of_mark,
+        ]
+    )
+    lower = np.concatenate([np.zeros(2 * n), network.links.least, np.zeros(2 * n + wanted.size)])
+    upper = np.concatenate(
+        [np.ones(n), np.full(n, most - 1.0), np.full(m + 2 * n, float(most)), network.marked[wanted] - 1.0]
+    )
     node, arc = np.arange(n), np.arange(m)
     # what comes in (links, entries) passes the tracklet (first use, shared use) and goes out (links, exits)
-    rows = np.concatenate([target, node, node, node, n + source, n + node, n + node, n + node])
+    rows = np.concatenate([target, node, node, node, wanted, n + source, n + node, n + node, n + node, n + wanted])
     first, second, links, entries, exits = 0, n, 2 * n, 2 * n + m, 3 * n + m
+    further = 4 * n + m + np.arange(wanted.size)
     columns = np.concatenate(
         [
             links + arc,
             entries + node,
             first + node,
             second + node,
+            further,
             links + arc,
             exits + node,
             first + node,
             second + node,
+            further,
         ]
     )
-    signs = np.concatenate([np.ones(m + n), -np.ones(2 * n), np.ones(m + n), -np.ones(2 * n)])
+    inside = -np.ones(2 * n + wanted.size)
+    signs = np.concatenate([np.ones(m + n), inside, np.ones(m + n), inside])
     balance = coo_matrix((signs, (rows, columns)), shape=(2 * n, len(cost))).tocsr()
     pair = np.arange(twins)
     bounded_rows = np.concatenate([np.zeros(n, dtype=np.int64), 1 + pair, 1 + pair])
@@ -261,7 +309,7 @@ def _solve(
     if result.x is None:
         return None
     x = np.round(result.x).astype(np.int64)
-    return Flow(x[links:entries], x[entries:exits], x[exits:], float(result.fun))
+    return Flow(x[links:entries], x[entries:exits], x[exits : exits + n], float(result.fun))
 
 
 def _decompose(first: Ends, last: Ends, frame: DiagonalFrame, links: Links, flow: Flow) -> list[list[int]]:

@@ -17,7 +17,7 @@ from hullform.corrections import Drawn, Knuckle
 from hullform.picture.constraints import constrain
 from hullform.picture.dome import find_dome, only_contours
 from hullform.picture.finishing import finish, finish_contour
-from hullform.picture.flow import find_paths
+from hullform.picture.flow import MarkInFrame, find_paths
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.hand_drawn import course, rank_among, without_ink_of
 from hullform.picture.ink import Ink
@@ -34,10 +34,11 @@ from hullform.picture.ridges import (
     without_hair_lines,
 )
 from hullform.picture.sheer import SheerLine, find_sheer
-from hullform.picture.side import top_of_side
+from hullform.picture.side import find_side
 from hullform.picture.smoothing import Trace, smooth_traces
 from hullform.picture.turning import NOTHING_TURNS, Turning, find_turning
 from hullform.picture.turning_edits import without_deleted, without_ink_of_drawn
+from hullform.picture.uncrossing import uncrossed
 from hullform.picture.winding import Pieces, ends_at_centre
 
 Array = NDArray[np.float64]
@@ -73,6 +74,7 @@ class HalfReading:
         second_contours: station, m, and points as in `curves` of second contours drawn by hand.
         unused: (n, 2) [y, z] of lines that no curve took.
         unheeded: ids of the corrections that changed nothing.
+        decks_px: heights of level decks and of the side's top, px above the base line.
     """
 
     half: Half
@@ -87,6 +89,7 @@ class HalfReading:
     second_contours: tuple[tuple[float, Array], ...] = ()
     unused: tuple[Array, ...] = ()
     unheeded: tuple[str, ...] = ()
+    decks_px: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,6 +105,7 @@ class HalfInk:
         depth_px: depth at side.
         deck_level_px: height of a level deck line at the depth, or None where none is drawn.
         side_top_px: height to which stations run along the line of B/2, or None where none does.
+        side_steps_px: heights at which stations end on it inside the outermost one.
         sheer: the deck edge, or None where none was found.
         peaks: of the ridges that may be curves; `tracklets`: pieces of curve, of the peaks below the deck edge;
             `turning`: pieces that lean back.
@@ -116,6 +120,7 @@ class HalfInk:
     depth_px: float
     deck_level_px: float | None
     side_top_px: float | None
+    side_steps_px: tuple[float, ...]
     sheer: SheerLine | None
     peaks: Peaks
     tracklets: list[Tracklet]
@@ -141,14 +146,17 @@ def prepare_half(
         frame = replace(frame, bottom_px=-dome.depth_px)
         here = only_contours(frame.sample(bare), frame, dome)
     hidden = _widened(frame.sample_mask(mask), width)
-    side_top = top_of_side(ink, frame, width)
+    side = find_side(ink, frame, width)
+    side_top = side.top_px
     if side_top is not None and abs(side_top / depth_px - 1) < NEAR_DEPTH:
         side_top = depth_px
     sheer = find_sheer(bare, frame, depth_px, side_top)
     peaks = find_peaks(here, width)
     peaks = peaks.chosen(usable(peaks, hidden, frame))
     level = depth_px if deck_line else None
-    prepared = HalfInk(half, frame, here, hidden, width, width, depth_px, level, side_top, sheer, peaks, [])
+    prepared = HalfInk(
+        half, frame, here, hidden, width, width, depth_px, level, side_top, side.steps_px, sheer, peaks, []
+    )
     tracklets = pieces_of_curve(prepared)
     single = float(np.percentile(np.concatenate([t.width for t in tracklets]), 35)) if tracklets else width
     prepared = replace(prepared, single_px=single, tracklets=tracklets)
@@ -172,7 +180,7 @@ def pieces_of_curve(prepared: HalfInk, flank_px: float | None = None) -> list[Tr
     else:
         on_deck = (z > DECK_ZONE * depth_px) & (peaks.slope > LEVEL_SLOPE)
         above = z > (1.01 if prepared.deck_level_px is not None else 1.6) * depth_px
-    return without_hair_lines(find_tracklets(peaks.chosen(~(on_deck | above))))
+    return without_hair_lines(find_tracklets(peaks.chosen(~(on_deck | above))), prepared.line_width_px)
 
 
 def _pieces_that_turn(prepared: HalfInk) -> Turning:
@@ -191,7 +199,7 @@ def _pieces_that_turn(prepared: HalfInk) -> Turning:
 def trace_half(
     prepared: HalfInk,
     most: int,
-    marks: tuple[tuple[float, float], ...] = (),
+    marks: Sequence[tuple[int, float, float]] = (),
     placed: Sequence[Placed] = (),
 ) -> HalfReading:
     """Trace the curves of one half.
@@ -199,7 +207,7 @@ def trace_half(
     Args:
         prepared: its ink.
         most: number of stations of the half.
-        marks: (y, z) in px of the drawing of the user's marks.
+        marks: station, and (y, z) in px of the drawing, of the user's marks.
         placed: the user's corrections.
     """
     here, frame, sheer, tracklets = prepared.ink, prepared.frame, prepared.sheer, prepared.tracklets
@@ -217,7 +225,7 @@ def trace_half(
     ends = np.array([(t.column[-1], t.row[-1]) for t in tracklets], dtype=np.float64).reshape(-1, 2)
     end_y, _ = frame.to_drawing(ends[:, 0], ends[:, 1])
     top = sheer.at(end_y) if sheer is not None else np.full(len(tracklets), prepared.depth_px)
-    seeds = tuple((float(c), float(r)) for c, r in (frame.from_drawing(y, z) for y, z in marks))
+    seeds = [MarkInFrame(n, *(float(value) for value in frame.from_drawing(y, z))) for n, y, z in marks]
     paths, unlisted = find_paths(
         tracklets,
         here,
@@ -231,6 +239,7 @@ def trace_half(
         constraints,
         turning,
     )
+    paths = uncrossed(paths, tracklets, prepared.single_px)
     knuckles = [item for item in placed if isinstance(item.correction, Knuckle)]
     pieces = Pieces(tracklets, turning)
     every = smooth_traces(paths, pieces, prepared.single_px, frame, [tuple(item.at[0]) for item in knuckles])
@@ -248,13 +257,13 @@ def trace_half(
         if not any((np.hypot(*(at - item.at[0]).T) < 2 * REACH * size).any() for at in corners)
     ]
     level = prepared.deck_level_px
-    curves = [
-        evenly(
-            np.column_stack(finish(trace, frame, here, prepared.hidden, sheer, level, side_top)),
-            np.column_stack(frame.to_drawing(at[:, 0], at[:, 1])),
-        )
-        for trace, at in zip(traces, corners, strict=True)
-    ]
+    steps = prepared.side_steps_px if side_top is not None else ()
+    curves = []
+    for number, (trace, at) in enumerate(zip(traces, corners, strict=True)):
+        # where the side thins, stations end; what goes on is the outermost
+        own_steps = steps if number < len(traces) - 1 else ()
+        finished = finish(trace, frame, here, prepared.hidden, sheer, level, side_top, own_steps)
+        curves.append(evenly(np.column_stack(finished), np.column_stack(frame.to_drawing(at[:, 0], at[:, 1]))))
     confidences = [_confidence(trace) for trace in traces]
     # from the centre line outwards, as the half shows its stations
     drawn: list[tuple[int, float]] = []
@@ -280,6 +289,7 @@ def trace_half(
         second,
         unused,
         tuple(unheeded),
+        tuple(z for z in (level, side_top, *prepared.side_steps_px) if z is not None),
     )
 
 

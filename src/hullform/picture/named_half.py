@@ -104,7 +104,7 @@ def read_half(
         sheet.size_px,
         sheet.reduction,
     )
-    reading = trace_half(prepared, len(inner_first), tuple((m.y_px, m.z_px) for m in marks), placed)
+    reading = trace_half(prepared, len(inner_first), [(m.station, m.y_px, m.z_px) for m in marks], placed)
     if len(reading.curves) < min(FEWEST_CURVES, len(inner_first)):
         raise PictureError(
             f"{sheet.path}: too few curves: {len(reading.curves)} found in the {half} half, which has "
@@ -132,7 +132,7 @@ def read_half(
         [_index(inner_first, x) for x, _ in reading.second_contours],
     )
     stations, unsure = _stations(reading, inner_first, assigned, second, names)
-    notes, doubts_of_sharing = _account(reading, inner_first, assigned, names)
+    notes, doubts_of_sharing = _account(reading, inner_first, assigned, second, names)
     return NamedHalf(
         reading=reading,
         inner_first=inner_first,
@@ -209,7 +209,7 @@ def _stations(
 
 
 def _account(
-    reading: HalfReading, inner_first: tuple[float, ...], assigned: list[int], names: StationNames
+    reading: HalfReading, inner_first: tuple[float, ...], assigned: list[int], second: list[int], names: StationNames
 ) -> tuple[list[str], list[str]]:
     """Notes and doubts on which curves are shared and which have no station."""
     half, notes, doubts = reading.half, [], []
@@ -226,6 +226,12 @@ def _account(
     unnamed = len(reading.curves) - len(named) - reading.unlisted
     if unnamed > 0:
         doubts.append(f"{unnamed} curves of the {half} half have no station; check {half}_stations_m")
+    lost = len(reading.loops) - len(set(second) - {NO_LOOP})
+    if lost > 0:
+        doubts.append(
+            f"{lost} contours of the {half} half that close on the centre line have no station; mark a point of each "
+            "in [[body_plan.marks]]"
+        )
     found = f"{len(named)} curves for {len(inner_first)} stations"
     deck = "sheer line found" if reading.sheer is not None else "no sheer line beside the deck line"
     notes.append(f"{half} half: {found}; {deck}")

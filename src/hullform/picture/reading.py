@@ -26,6 +26,7 @@ from hullform.picture.image_files import Picture
 from hullform.picture.input_check import check_input
 from hullform.picture.label_doubts import doubts_of_sides
 from hullform.picture.likeness import explained
+from hullform.picture.loose_ends import doubts_of_loose_ends
 from hullform.picture.named_half import read_half
 from hullform.picture.placing import place_corrections
 from hullform.picture.reduction import Reduction
@@ -148,6 +149,7 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
     if labels is None and doubts_of_names:
         notes.append(LABELS_NOT_READ)
     doubts = [*sheet.calibrated.doubts, *doubts_of_names, *doubts_of_input, *doubts_of_edges(readings, sheet.bare)]
+    doubts += doubts_of_loose_ends(halves)
     calibration = sheet.calibrated.calibration
     body_plan = BodyPlan(tuple(stations), "picture", sheet.reduction.stored(calibration), tuple(notes), tuple(doubts))
     scale = calibration.metres_per_px

@@ -11,6 +11,7 @@ from itertools import pairwise
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import median_filter
 
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
@@ -26,6 +27,7 @@ LARGEST_MISS_PX = 1.3  # between a peak and where its neighbour's slope points
 SHORTEST_PX = 5  # of a tracklet
 JUNCTION_PX = 3.5  # a tracklet that ends so near another one cuts it there
 USUAL_BOLDNESS = 35.0  # percentile of the ink across the lines that is a station's: merged ones are bolder
+HOOK_PX = 1.2  # beside the continuation of its tracklet, an end that lies so far off is a hook
 HAIR_LINE = 0.5  # of that: a line so thin is no station
 WIDEST_PX = 60  # of a ribbon of merged curves, to either side of a peak
 
@@ -140,14 +142,44 @@ def find_tracklets(peaks: Peaks) -> list[Tracklet]:
     return _split_at_junctions(chains)
 
 
-def without_hair_lines(tracklets: list[Tracklet]) -> list[Tracklet]:
-    """Those that are drawn as boldly as stations: sheer lines, diagonals and leaders are often thinner by half."""
+def without_hair_lines(tracklets: list[Tracklet], width_px: float) -> list[Tracklet]:
+    """What is drawn as boldly as stations, without hooks at its ends.
+
+    Sheer lines, diagonals, leaders and letters are often thinner by half; where a stroke ends bluntly its ridge turns
+    off to a corner.
+
+    Args:
+        tracklets: of a half.
+        width_px: usual thickness of a line.
+    """
     if not tracklets:
         return []
-    boldness = np.array([float(np.median(t.width * np.minimum(t.strength, 1.0))) for t in tracklets])
-    length = np.array([len(t.column) for t in tracklets])
-    usual = float(np.percentile(np.repeat(boldness, length), USUAL_BOLDNESS))
-    return [t for t, bold in zip(tracklets, boldness.tolist(), strict=True) if bold > HAIR_LINE * usual]
+    boldness = np.concatenate([t.width * np.minimum(t.strength, 1.0) for t in tracklets])
+    usual = min(float(np.percentile(boldness, USUAL_BOLDNESS)), width_px)  # where many merge, most ink is bolder
+    kept = []
+    for t in tracklets:
+        ink = t.width * np.minimum(t.strength, 1.0)
+        if float(np.median(ink)) <= HAIR_LINE * usual:
+            continue
+        bold = np.flatnonzero(median_filter(ink, min(len(ink), 9), mode="nearest") > HAIR_LINE * usual)
+        part = _without_hooks(t.chosen(np.arange(bold[0], bold[-1] + 1)), width_px)
+        if len(part.column) >= SHORTEST_PX:
+            kept.append(part)
+    return kept
+
+
+def _without_hooks(tracklet: Tracklet, width_px: float) -> Tracklet:
+    """The tracklet without the last pixels at either end, where they turn off from what lies before."""
+    hook = max(3, round(width_px))
+    cut = [0, 0]
+    for end, row in enumerate((tracklet.row, tracklet.row[::-1])):
+        if len(row) < 4 * hook:
+            continue
+        stretch = np.arange(hook, min(len(row), 4 * hook))
+        offset = float(np.polyfit(stretch, row[stretch], 1)[1])
+        if abs(row[0] - offset) > HOOK_PX:
+            cut[end] = hook
+    return tracklet.chosen(np.arange(cut[0], len(tracklet.column) - cut[1])) if any(cut) else tracklet
 
 
 def _following(peaks: Peaks) -> Indices:

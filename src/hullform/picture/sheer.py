@@ -98,7 +98,8 @@ def _sheer_above(
     columns, rows = path
     if lowest < LOWEST:
         columns, rows = _outermost_part(smooth, columns, rows, round(LONGEST_BREAK * frame.half_breadth_px))
-    if _drawn(smooth, columns, rows).mean() < SHARE_DRAWN:
+    # a low one must stand out from a scan's noise
+    if _drawn(smooth, columns, rows, RIDGE if lowest < LOWEST else RIDGE / 2).mean() < SHARE_DRAWN:
         return None
     if lowest < LOWEST and not _nothing_above(smooth, columns, rows, clear):
         return None
@@ -139,15 +140,15 @@ def _half_thickness(smooth: Ink, columns: Indices, rows: Indices) -> int:
     return int(offsets[int(np.argmax(paper))]) if paper.any() else 4
 
 
-def _drawn(smooth: Ink, columns: Indices, rows: Indices) -> NDArray[np.bool_]:
+def _drawn(smooth: Ink, columns: Indices, rows: Indices, faintest: float) -> NDArray[np.bool_]:
     """Where along a path there is ink, within two pixels."""
     near = np.clip(rows[:, None] + np.arange(-2, 3), 0, len(smooth) - 1)
-    return np.asarray(smooth[near, columns[:, None]].max(axis=1) > RIDGE)
+    return np.asarray(smooth[near, columns[:, None]].max(axis=1) > faintest)
 
 
 def _outermost_part(smooth: Ink, columns: Indices, rows: Indices, longest_break: int) -> tuple[Indices, Indices]:
     """The part of a path outside of its last long break."""
-    seen = np.flatnonzero(_drawn(smooth, columns, rows))
+    seen = np.flatnonzero(_drawn(smooth, columns, rows, RIDGE))
     breaks = np.flatnonzero(np.diff(seen) > longest_break)
     first = int(seen[breaks[-1] + 1]) if breaks.size else 0
     return columns[first:], rows[first:]

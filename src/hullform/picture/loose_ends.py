@@ -1,0 +1,62 @@
+"""Curves that end in the air, and bold strokes that no curve took: what was read there is not the whole drawing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hullform.picture.half import HalfReading
+from hullform.picture.named_half import NamedHalf
+from hullform.picture.naming import NO_CURVE
+
+Array = NDArray[np.float64]
+
+ON_AXIS = 0.012  # of B/2: a lower end so near the centre line or the base line lies on it
+ON_DECK = 0.025  # of B/2: an upper end so near a deck edge lies on it
+ON_SIDE = 0.012  # of B/2: so near the line of B/2 a curve runs on along it
+LONGEST_UNREAD = 0.12  # of B/2: longer strokes are pieces of stations, not labels
+
+
+def doubts_of_loose_ends(halves: Sequence[NamedHalf]) -> list[str]:
+    """Doubts about the stations whose curves hang in the air, and about strokes left over."""
+    doubts = []
+    for half in halves:
+        reading = half.reading
+        by_hand = {number for number, _ in reading.drawn}
+        for x, number in zip(half.inner_first, half.assigned, strict=True):
+            if number == NO_CURVE or number in by_hand:
+                continue
+            if where := loose_end(reading.curves[number], reading):
+                doubts.append(f"{half.names.one(x)}: {where}; look at it in the overlay")
+        scale, longest = reading.frame.metres_per_px, LONGEST_UNREAD * reading.frame.half_breadth_px
+        middles = [line[len(line) // 2] * scale for line in reading.unused if _length(line) > longest]
+        places = [f"y {y:.2f} z {z:.2f} m" for y, z in middles]
+        if places:
+            doubts.append(
+                f"{reading.half} half: {len(places)} strokes as bold as stations belong to no curve, near "
+                f"{', '.join(places[:4])}; look at them in the overlay"
+            )
+    return doubts
+
+
+def _length(line: Array) -> float:
+    return float(np.hypot(*np.diff(line, axis=0).T).sum())
+
+
+def loose_end(curve: Array, reading: HalfReading) -> str:
+    """What is wrong with the ends of a curve, in words; empty where both lie where a station begins and ends."""
+    size, scale = reading.frame.half_breadth_px, reading.frame.metres_per_px
+    (y, z), (top_y, top_z) = curve[0], curve[-1]
+    if min(y, z) > ON_AXIS * size:
+        return f"begins in the air at y {y * scale:.2f} z {z * scale:.2f} m, not on the centre line or the base line"
+    decks = list(reading.decks_px)
+    if reading.sheer is not None:
+        decks += reading.sheer.range_at(float(top_y))
+    at_side = top_y > (1 - ON_SIDE) * size
+    between = bool(decks) and min(decks) - ON_DECK * size < top_z < max(decks) + ON_DECK * size
+    at_deck = any(abs(top_z - deck) < ON_DECK * size for deck in decks) or (reading.sheer is not None and between)
+    if decks and not at_side and not at_deck:
+        return f"ends in the air at y {top_y * scale:.2f} z {top_z * scale:.2f} m, not at a deck edge"
+    return ""

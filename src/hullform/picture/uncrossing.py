@@ -1,0 +1,70 @@
+"""Paths that touch and part again: stations lie inside one another, so what touches does not cross.
+
+Where two lines run together for a while the flow may leave by either branch at the same cost. Lines that meet at an
+angle do cross, as the sections of a transom stern or of a tunnel may.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hullform.picture.flow import Path
+from hullform.picture.ridges import Tracklet
+
+Array = NDArray[np.float64]
+
+TOUCHING = 1.5  # of a line's thickness between the axes: ink without paper between
+LONGEST_CROSSING = 10.0  # of a line's thickness: lines that cross at 15 degrees touch for so long
+
+
+def uncrossed(paths: Sequence[Path], tracklets: Sequence[Tracklet], width_px: float) -> list[Path]:
+    """The paths, their outer parts exchanged where two of them change sides along a shallow touch.
+
+    Args:
+        paths: of one half.
+        tracklets: that they consist of; a path that takes other pieces too, which lean back, is left as it is.
+        width_px: thickness of one line.
+    """
+    out = list(paths)
+    ordinary = [number for number, path in enumerate(out) if max(path.tracklets) < len(tracklets)]
+    for first, second in combinations(ordinary, 2):
+        for column in _shallow_crossings(out[first], out[second], tracklets, width_px):
+            out[first], out[second] = _exchanged(out[first], out[second], tracklets, column)
+    return out
+
+
+def _shallow_crossings(a: Path, b: Path, tracklets: Sequence[Tracklet], width_px: float) -> list[float]:
+    """Columns in the middle of touches along which two paths change sides."""
+    (column_a, row_a), (column_b, row_b) = _points(a, tracklets), _points(b, tracklets)
+    start, stop = max(column_a[0], column_b[0]), min(column_a[-1], column_b[-1])
+    if stop - start < LONGEST_CROSSING * width_px:
+        return []
+    column = np.arange(start, stop + 1)
+    apart = np.interp(column, column_a, row_a) - np.interp(column, column_b, row_b)
+    clear = np.flatnonzero(np.abs(apart) > TOUCHING * width_px)
+    sides = np.sign(apart[clear])
+    turns = np.flatnonzero((sides[1:] != sides[:-1]) & (np.diff(clear) > LONGEST_CROSSING * width_px))
+    return [float(column[(clear[turn] + clear[turn + 1]) // 2]) for turn in turns]
+
+
+def _points(path: Path, tracklets: Sequence[Tracklet]) -> tuple[Array, Array]:
+    column = np.concatenate([tracklets[i].column for i in path.tracklets]).astype(np.float64)
+    unique, index = np.unique(column, return_index=True)
+    return unique, np.concatenate([tracklets[i].row for i in path.tracklets])[index]
+
+
+def _exchanged(a: Path, b: Path, tracklets: Sequence[Tracklet], column: float) -> tuple[Path, Path]:
+    def parts(path: Path) -> tuple[tuple[int, ...], tuple[int, ...]]:
+        outer = [float(tracklets[i].column.mean()) > column for i in path.tracklets]
+        first = outer.index(True) if any(outer) else len(outer)
+        return path.tracklets[:first], path.tracklets[first:]
+
+    (inner_a, outer_a), (inner_b, outer_b) = parts(a), parts(b)
+    if not (inner_a and inner_b and outer_a and outer_b):
+        return a, b
+    return replace(a, tracklets=inner_a + outer_b), replace(b, tracklets=inner_b + outer_a)
