@@ -9,9 +9,10 @@ from hullform.checks import Check
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.hull.loft import Hull
 from hullform.loading.distributions import Distribution, girder_from
-from hullform.loading.structure import Structure, shell_structure
+from hullform.loading.structure import Structure, structure_of
 from hullform.loading.weights import KG_PER_T, LightShip, condition_items, light_ship
-from hullform.ship import ConditionInput, Ship, StructureInput, WeightsInput
+from hullform.ship import ConditionInput, Ship, WeightsInput
+from hullform.ship_structure import StructureInput
 from hullvib.girder import Girder
 
 # Of everything on board about the neutral axis, over the depth: a hull full of weights spread evenly has 0.29 of its
@@ -71,7 +72,7 @@ def load_ship(ship: Ship, hull: Hull) -> ShipAfloat:
     """
     given, weights, conditions = ship.require_sections_of_a_run()
     at_draught = hull.hydrostatics(ship.particulars.draught_m, ship.water.density_kg_m3)
-    structure = shell_structure(hull, given)
+    structure = structure_of(hull, given)
     displacement_t = at_draught.displacement_kg / KG_PER_T
     light = light_ship(weights, hull, structure, ship.particulars, at_draught.block_coefficient, displacement_t)
     heaviest = max(conditions, key=lambda condition: condition.deadweight_t)

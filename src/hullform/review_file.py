@@ -15,7 +15,8 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from hullform.corrections import Correction, MarkedStation
 from hullform.errors import ReviewError
 from hullform.files import whole_file
-from hullform.ship import BodyPlanSource, CalibrationGiven, Number, Ship, Side
+from hullform.quantities import Number
+from hullform.ship import BodyPlanSource, CalibrationGiven, Ship, Side
 
 SUFFIX = ".review.json"
 BLOCK_BYTES = 1 << 20

@@ -33,7 +33,7 @@ def test_a_cut_triangle_integrates_to_its_own_total() -> None:
 
 def test_end_plates_carry_their_share_at_the_ends() -> None:
     # girth 2 over 100 m is 200 m2 of shell; plates of 30 and 20 m2 take 12 and 8 % of the whole
-    item = shaped("steel", 1000.0, X, np.full(101, 2.0), ends=(30.0, 20.0))
+    item = shaped("steel", 1000.0, X, np.full(101, 2.0), lumps=((0.0, 30.0), (100.0, 20.0)))
     assert item.points == ((0.0, pytest.approx(120.0)), (100.0, pytest.approx(80.0)))
     assert item.mass_kg == pytest.approx(1000.0, rel=1e-13)
     assert item.moment_kg_m == pytest.approx(800.0 * 50 + 80.0 * 100, rel=1e-13)
@@ -48,7 +48,7 @@ def test_the_girder_carries_every_items_mass_and_first_moment() -> None:
     items = (
         uniform("machinery", 5e5, 0.0, 20.0),
         uniform("deck machinery", 2e5, 90.0, 100.0),
-        shaped("steel", 3e6, X, 5 + np.sin(X / 20) ** 2, ends=(3.0, 0.0)),
+        shaped("steel", 3e6, X, 5 + np.sin(X / 20) ** 2, lumps=((0.0, 3.0), (100.0, 0.0))),
         shaped("cargo", 7e6, X, X * (100 - X), 20.0, 90.0),
     )
     girder = girder_from("test", items, X, np.full(101, 1e12), np.full(101, 1e10), 4.0)
@@ -68,7 +68,7 @@ def test_breakpoints_that_round_off_keeps_apart_become_one() -> None:
 
 
 def test_rotary_inertia_is_the_mass_times_the_square_of_the_radius() -> None:
-    items = (uniform("hull", 1e6, 0.0, 100.0), shaped("plates", 1e4, X, np.ones(101), ends=(3.0, 0.0)))
+    items = (uniform("hull", 1e6, 0.0, 100.0), shaped("plates", 1e4, X, np.ones(101), lumps=((0.0, 3.0), (100.0, 0.0))))
     girder = girder_from("test", items, X, np.full(101, 1e12), np.full(101, 1e10), 4.0)
     x = np.array([5.0, 50.0, 99.0])
     assert girder.rotary_inertia(x) == pytest.approx(16.0 * girder.mass_per_length(x), rel=1e-12)

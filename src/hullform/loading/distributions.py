@@ -84,35 +84,39 @@ def shaped(
     shape: Array,
     from_m: float | None = None,
     to_m: float | None = None,
-    ends: tuple[float, float] = (0.0, 0.0),
+    lumps: tuple[tuple[float, float], ...] = (),
 ) -> Distribution:
     """A mass spread as a curve has it, the curve linear between its points and cut off outside [from, to].
 
     Args:
         name: what is distributed.
         mass_kg: its whole mass.
-        x_m: (n,) places of the curve.
+        x_m: (n,) places of the curve; one that stands twice is a jump.
         shape: (n,) its ordinates, of any unit, >= 0.
         from_m, to_m: the part of the length that carries the mass; the whole curve by default.
-        ends: what lies at the two ends of the curve, in the unit of shape times metre.
+        lumps: (x in metres, amount in the unit of shape times metre) of what takes part in it at one place.
 
     Raises:
         LoadingError: the curve has no area in that part.
     """
     first = x_m[0] if from_m is None else from_m
     last = x_m[-1] if to_m is None else to_m
-    x = np.concatenate([[first], x_m[(x_m > first) & (x_m < last)], [last]])
-    y = np.interp(x, x_m, shape)
-    total = float(0.5 * (y[:-1] + y[1:]) @ np.diff(x)) + sum(ends)
+    inside = (x_m > first) & (x_m < last)
+    x = np.concatenate([[first], x_m[inside], [last]])
+    outer = np.interp([first, last], x_m, shape)
+    y = np.concatenate([outer[:1], shape[inside], outer[1:]])
+    total = float(0.5 * (y[:-1] + y[1:]) @ np.diff(x)) + sum(amount for _, amount in lumps)
     if not total > 0:
         raise LoadingError(
             f"{name}: nothing to spread {mass_kg / 1e3:g} t over between x = {first:g} and {last:g} m; "
             "the hull has no section there"
         )
     density = mass_kg / total
-    places = (float(x_m[0]), float(x_m[-1]))
-    points = tuple((x, end * density) for x, end in zip(places, ends, strict=True) if end > 0)
-    return Distribution(name, x, density * y[:-1], density * y[1:], points)
+    points = tuple((at, amount * density) for at, amount in lumps if amount > 0)
+    # a jump is no piece of its own
+    pieces = np.diff(x) > 0
+    breaks = np.concatenate([x[:1], x[1:][pieces]])
+    return Distribution(name, breaks, density * y[:-1][pieces], density * y[1:][pieces], points)
 
 
 def merged_breaks(parts: Iterable[Array]) -> Array:

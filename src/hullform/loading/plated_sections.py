@@ -1,0 +1,112 @@
+"""The plates of every section along the ship as one stack of networks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hullform.errors import LoadingError
+from hullform.hull.loft import Hull
+from hullform.loading.arrangement import Branch, parted, tied
+from hullform.loading.framing import Frame, Plating, member_names, platings_of
+from hullform.loading.thin_walled import Network
+from hullform.ship_structure import StructureInput
+
+Array = NDArray[np.float64]
+
+# Points round one side of a section; its shear area is then good to some 1e-5.
+CONTOUR_POINTS = 101
+
+# Just abaft and just forward of where a member begins or ends.
+_BESIDE_M = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class PlatedSections:
+    """Sections with their members along the ship.
+
+    Attributes:
+        x_m: (n,) their places; where a member begins or ends, twice: as it is abaft and as it is forward.
+        network: of n sections, half of each.
+        steel_area_m2: (n,) of all plates and stiffeners as given, both sides, those included that nothing ties to the
+            shell or that bend with the hull by a share only.
+    """
+
+    x_m: Array
+    network: Network
+    steel_area_m2: Array
+
+
+def plated_sections(hull: Hull, given: StructureInput) -> PlatedSections:
+    """Plate every section of a hull.
+
+    Raises:
+        LoadingError: a member lies nowhere within the hull, or is nowhere tied to it.
+    """
+    x, probes = _places(hull, given.bounds_m)
+    contours = hull.section_points(CONTOUR_POINTS, x)
+    frames = [Frame(float(probe), contour, hull.breadth_m / 2) for probe, contour in zip(probes, contours, strict=True)]
+    platings = [platings_of(given, frame) for frame in frames]
+    branches = [_branches(section) for section in platings]
+    seen = {section[branch.of].name for section, found in zip(platings, branches, strict=True) for branch in found}
+    for name in sorted(member_names(given) - seen):
+        raise LoadingError(
+            f"structure: '{name}' lies nowhere within the hull, or nothing ties it to the shell; check its heights and "
+            "its place across, in metres from the base line and the centre line, and its from_m and to_m"
+        )
+    return PlatedSections(
+        x_m=x,
+        network=_stacked(given, platings, branches),
+        steel_area_m2=np.array([sum(_steel(plating) for plating in section) for section in platings]),
+    )
+
+
+def platings_at(hull: Hull, given: StructureInput, x_m: float) -> tuple[Plating, ...]:
+    """The plates of the half section at one place."""
+    (contour,) = hull.section_points(CONTOUR_POINTS, x_m)
+    return tuple(platings_of(given, Frame(x_m, contour, hull.breadth_m / 2)))
+
+
+def _places(hull: Hull, bounds: tuple[float, ...]) -> tuple[Array, Array]:
+    """Where the sections are, and where to ask which members they have."""
+    inside = np.array([x for x in bounds if hull.x_m[0] + _BESIDE_M < x < hull.x_m[-1] - _BESIDE_M])
+    own = hull.x_m[(np.abs(hull.x_m[:, None] - inside) > _BESIDE_M).all(axis=1)]
+    x = np.concatenate([own, inside, inside])
+    probes = np.concatenate([own, inside - _BESIDE_M, inside + _BESIDE_M])
+    order = np.argsort(probes)
+    return x[order], probes[order]
+
+
+def _branches(platings: list[Plating]) -> list[Branch]:
+    branches = parted([plating.points for plating in platings])
+    return tied(branches, {number for number, plating in enumerate(platings) if plating.shell})
+
+
+def _steel(plating: Plating) -> float:
+    sides = 1 if plating.on_centre_line else 2
+    scantling = plating.scantling
+    return sides * plating.length_m * scantling.thickness_m * (1 + scantling.stiffener_share)
+
+
+def _stacked(given: StructureInput, platings: list[list[Plating]], branches: list[list[Branch]]) -> Network:
+    """All sections side by side; what a section has less than another is filled with branches of no length."""
+    most = max(1, max(len(found) for found in branches))
+    longest = max(2, max((len(branch.points) for found in branches for branch in found), default=2))
+    sections = len(branches)
+    y, z = np.zeros((2, sections, most, longest))
+    shear, bending = np.zeros((2, sections, most, longest - 1))
+    joints = np.zeros((sections, most, 2), dtype=np.int64)
+    margin = given.corrosion_margin_m if given.scantlings == "net" else 0.0
+    for row, (section, found) in enumerate(zip(platings, branches, strict=True)):
+        for number, branch in enumerate(found):
+            plating = section[branch.of]
+            last = len(branch.points) - 1
+            y[row, number], z[row, number] = branch.points[np.minimum(np.arange(longest), last)].T
+            sides = 0.5 if plating.on_centre_line else 1.0
+            net = sides * plating.scantling.effective_share * (plating.scantling.thickness_m - margin)
+            shear[row, number] = net
+            bending[row, number] = net * (1 + plating.scantling.stiffener_share)
+            joints[row, number] = branch.joints
+    return Network(y, z, shear, bending, joints)
