@@ -46,7 +46,7 @@ class ShipAfloat:
     Attributes:
         hull: lofted.
         at_draught: hydrostatics at the design draught.
-        structure: the shell's section properties.
+        structure: section properties along the ship.
         light: steel, machinery and their estimates.
         checks: of the hull, the structure and the light ship.
         conditions: in the order of ship.toml.
@@ -81,7 +81,7 @@ def load_ship(ship: Ship, hull: Hull) -> ShipAfloat:
         at_draught=at_draught,
         structure=structure,
         light=light,
-        checks=_checks_of_the_ship(ship, given, weights, at_draught, structure, light),
+        checks=_checks_of_the_ship(ship, given, weights, at_draught, structure, light, hull.midships_m),
         conditions=tuple(
             _afloat(ship, hull, structure, light, condition, at_draught if condition is heaviest else None)
             for condition in conditions
@@ -96,14 +96,16 @@ def _checks_of_the_ship(
     at_draught: Hydrostatics,
     structure: Structure,
     light: LightShip,
+    midships_m: float,
 ) -> tuple[Check, ...]:
     found = list(checks.checks_of_the_hull(ship.particulars, at_draught))
     if given.midship_second_moment_m4 is not None:
-        found.append(checks.check_thickness(structure.thickness_factor, given.shell_thickness_m))
+        found.append(checks.check_thickness(structure.thickness_factor, given))
     if light.machinery_and_outfit_estimate is not None:
         found.append(checks.check_light_ship(weights.semi_concentrated_weight_t, light.machinery_and_outfit_estimate))
     numeral = None if light.steel_given else checks.check_steel_numeral(ship.particulars)
-    return (*found, numeral) if numeral else tuple(found)
+    hatches = checks.check_hatches(ship.particulars, given, midships_m)
+    return (*found, *(check for check in (numeral, hatches) if check))
 
 
 def _afloat(

@@ -165,6 +165,10 @@ class StructureInput(Table):
         """Whether nothing but the shell of one thickness stands against bending, shear and torsion."""
         return not (self.platings or self.hatches or self.stiffener_share or self.scantlings == "net")
 
+    def opening_breadth_m(self, x_m: float) -> float:
+        """Breadth of the upper deck's opening at x; 0 where it is closed."""
+        return max((hatch.breadth_m for hatch in self.hatches if hatch.reaches(x_m)), default=0.0)
+
     @property
     def bounds_m(self) -> tuple[float, ...]:
         """Every x where a member begins or ends, in order."""

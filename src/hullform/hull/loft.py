@@ -251,7 +251,7 @@ class Hull:
         return floating.draught_of_volume(self._immersed_volume, mass_kg / density, lowest, self.depth_amidships_m)
 
     def section_points(self, points: int = 49, x_m: ArrayLike | None = None) -> Array:
-        """Return points (n, points, 2) [half-breadth, height] in m of the sections, or of those at x_m: keel to deck."""
+        """Return points (n, points, 2) [half-breadth, height] in m, keel to deck, of the sections or at x_m."""
         sections = self.sections if x_m is None else self.sections_at(np.atleast_1d(x_m))
         y, zeta = curve_points(*sections.shape, points)
         return np.stack([y, sections.top[:, None] - zeta], axis=-1)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from hullform.ship_structure import Part, StructureInput
+from hullform.ship_structure import LongitudinalBulkhead, Part, StructureInput
 
 Array = NDArray[np.float64]
 
@@ -133,7 +133,7 @@ def platings_of(given: StructureInput, frame: Frame) -> list[Plating]:
     for bulkhead in given.longitudinal_bulkheads:
         if bulkhead.reaches(x):
             line = frame.upright(bulkhead.y_m, bulkhead.foot_m, bulkhead.head_m)
-            add(f"bulkhead at {bulkhead.y_m:g} m", line, _own(given, bulkhead.thickness_m, bulkhead.stiffener_share))
+            add(_bulkhead_name(bulkhead), line, _own(given, bulkhead.thickness_m, bulkhead.stiffener_share))
     for house in given.superstructures:
         half = min(house.breadth_m / 2, frame.deck_half_breadth_m)
         if house.reaches(x) and half > LEAST_BREADTH_M:
@@ -147,10 +147,14 @@ def platings_of(given: StructureInput, frame: Frame) -> list[Plating]:
 def member_names(given: StructureInput) -> set[str]:
     """The names of all members beside the shell and the upper deck, as `platings_of` has them."""
     names = {f"deck at {deck.height_m:g} m" for deck in given.decks}
-    names |= {f"bulkhead at {bulkhead.y_m:g} m" for bulkhead in given.longitudinal_bulkheads}
+    names |= {_bulkhead_name(bulkhead) for bulkhead in given.longitudinal_bulkheads}
     names |= {"superstructure"} if given.superstructures else set()
     names |= {"inner bottom"} if given.inner_bottom is not None else set()
     return names | ({"inner side"} if given.double_side is not None else set())
+
+
+def _bulkhead_name(bulkhead: LongitudinalBulkhead) -> str:
+    return f"bulkhead at {bulkhead.y_m:g} m" if bulkhead.y_m else "bulkhead on the centre line"
 
 
 def _own(given: StructureInput, thickness_m: float | None, share: float | None) -> Scantling:
@@ -202,8 +206,7 @@ def _shell(given: StructureInput, frame: Frame) -> list[Plating]:
 
 
 def _upper_deck(given: StructureInput, frame: Frame) -> list[Plating]:
-    openings = [hatch.breadth_m / 2 for hatch in given.hatches if hatch.reaches(frame.x_m)]
-    inner, outer = max(openings, default=0.0), frame.deck_half_breadth_m
+    inner, outer = given.opening_breadth_m(frame.x_m) / 2, frame.deck_half_breadth_m
     if outer <= inner + LEAST_BREADTH_M:
         return []
     scantling = _zoned(given, "deck", frame.x_m, frame.top_m, _own(given, None, None))

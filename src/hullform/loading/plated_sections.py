@@ -30,8 +30,8 @@ class PlatedSections:
     Attributes:
         x_m: (n,) their places; where a member begins or ends, twice: as it is abaft and as it is forward.
         network: of n sections, half of each.
-        steel_area_m2: (n,) of all plates and stiffeners as given, both sides, those included that nothing ties to the
-            shell or that bend with the hull by a share only.
+        steel_area_m2: (n,) of all plates and stiffeners as given, both sides, those included that bend with the hull by
+            a share only.
     """
 
     x_m: Array
@@ -43,18 +43,18 @@ def plated_sections(hull: Hull, given: StructureInput) -> PlatedSections:
     """Plate every section of a hull.
 
     Raises:
-        LoadingError: a member lies nowhere within the hull, or is nowhere tied to it.
+        LoadingError: a member lies nowhere within the hull, or hangs in the air somewhere.
     """
     x, probes = _places(hull, given.bounds_m)
     contours = hull.section_points(CONTOUR_POINTS, x)
     frames = [Frame(float(probe), contour, hull.breadth_m / 2) for probe, contour in zip(probes, contours, strict=True)]
     platings = [platings_of(given, frame) for frame in frames]
-    branches = [_branches(section) for section in platings]
-    seen = {section[branch.of].name for section, found in zip(platings, branches, strict=True) for branch in found}
+    branches = [_branches(section, x_m) for section, x_m in zip(platings, x, strict=True)]
+    seen = {plating.name for section in platings for plating in section}
     for name in sorted(member_names(given) - seen):
         raise LoadingError(
-            f"structure: '{name}' lies nowhere within the hull, or nothing ties it to the shell; check its heights and "
-            "its place across, in metres from the base line and the centre line, and its from_m and to_m"
+            f"structure: '{name}' lies nowhere within the hull; check its heights and its place across, in metres from "
+            "the base line and the centre line, and its from_m and to_m"
         )
     return PlatedSections(
         x_m=x,
@@ -79,9 +79,17 @@ def _places(hull: Hull, bounds: tuple[float, ...]) -> tuple[Array, Array]:
     return x[order], probes[order]
 
 
-def _branches(platings: list[Plating]) -> list[Branch]:
+def _branches(platings: list[Plating], x_m: float) -> list[Branch]:
     branches = parted([plating.points for plating in platings])
-    return tied(branches, {number for number, plating in enumerate(platings) if plating.shell})
+    held = tied(branches, {number for number, plating in enumerate(platings) if plating.shell})
+    if len(held) < len(branches):
+        loose = {branch.of for branch in branches} - {branch.of for branch in held}
+        names = ", ".join(sorted(f"'{platings[number].name}'" for number in loose))
+        raise LoadingError(
+            f"structure: at x = {x_m:g} m nothing ties {names} to the shell; let it reach the shell, the deck or "
+            "another member (foot_m, head_m, breadth_m, from_m, to_m)"
+        )
+    return branches
 
 
 def _steel(plating: Plating) -> float:
