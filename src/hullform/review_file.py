@@ -12,13 +12,14 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from hullform.corrections import Correction, MarkedStation
+from hullform.corrections import Correction, Drawn, MarkedStation
 from hullform.errors import ReviewError
 from hullform.files import whole_file
 from hullform.quantities import Number
 from hullform.ship import BodyPlanSource, CalibrationGiven, Ship, Side
 
 SUFFIX = ".review.json"
+SAME_STATION_M = 1e-3  # as for the marks of ship.toml
 BLOCK_BYTES = 1 << 20
 
 
@@ -56,7 +57,7 @@ class Review(_Part):
         A station that the review marks loses the marks of the file.
 
         Raises:
-            ReviewError: the stations or marks do not fit each other.
+            ReviewError: the stations do not fit the marks or the drawn curves.
         """
         source = ship.body_plan
         marks = [correction.mark for correction in self.corrections if isinstance(correction, MarkedStation)]
@@ -70,9 +71,17 @@ class Review(_Part):
             "marks": tuple(mark.model_dump() for mark in marks),
         }
         try:
-            return ship.reading(BodyPlanSource.model_validate(changed))
+            reviewed = BodyPlanSource.model_validate(changed)
         except ValidationError as error:
             raise _refused(review_path(ship), error) from None
+        listed = {"aft": reviewed.aft_stations_m, "fore": reviewed.fore_stations_m}
+        for curve in (correction for correction in self.corrections if isinstance(correction, Drawn)):
+            if all(abs(curve.station_m - x) > SAME_STATION_M for x in listed[curve.half]):
+                raise ReviewError(
+                    f"{review_path(ship)}: the curve {curve.id} is drawn for station {curve.station_m:g} m of the "
+                    f"{curve.half} half, which {curve.half}_stations_m does not list; delete it, or list the station"
+                )
+        return ship.reading(reviewed)
 
 
 def review_path(ship: Ship) -> Path:

@@ -110,6 +110,7 @@ class BodyPlanSource(Table):
     """[body_plan]: the picture, and which stations it shows."""
 
     image: Annotated[str, Field(min_length=1)]
+    page: Annotated[int, Field(strict=True, ge=1)] = 1
     aft_side: Side
     aft_stations_m: Annotated[tuple[Number, ...], Field(min_length=1)]
     fore_stations_m: Annotated[tuple[Number, ...], Field(min_length=1)]

@@ -126,9 +126,31 @@ def test_a_stretched_picture_gives_both_scales(name: str, tmp_path: Path) -> Non
     assert float(found[1]) / float(found[2]) == pytest.approx(1.09, rel=0.006)
 
 
+def scaled(image: np.ndarray, factor: float) -> np.ndarray:
+    return cv2.resize(image, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
+
+
 def test_a_small_picture(tmp_path: Path) -> None:
-    small = cv2.resize(shipped(CONTAINER), None, fx=0.6, fy=0.6, interpolation=cv2.INTER_AREA)
-    assert "the picture is small: 498 px per half-breadth; 1600 px" in doubts(read(tmp_path, CONTAINER, picture=small))
+    found = doubts(read(tmp_path, CONTAINER, picture=scaled(shipped(CONTAINER), 0.6)))
+    assert "the picture is small: S = 498 px per half-breadth; scan or export it 2100 px wide" in found
+    assert "mark" not in found
+
+
+def test_a_very_small_picture_needs_marks(tmp_path: Path) -> None:
+    found = doubts(read(tmp_path, WIGLEY, picture=scaled(shipped(WIGLEY), 0.4)))
+    assert re.search(r"S = 3\d\d px per half-breadth.*; as it is, mark a point of each station", found)
+
+
+@pytest.mark.parametrize(("brush_px", "kind"), [(3, "note"), (7, "doubt")])
+def test_thick_lines(brush_px: int, kind: str, tmp_path: Path) -> None:
+    # lines of 2.2 px become about 4 and 8: S / lw = 210 and 105
+    brush = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (brush_px, brush_px))
+    plan = read(tmp_path, TANKER, picture=cv2.erode(shipped(TANKER), brush)).body_plan
+    said = "\n".join(plan.notes if kind == "note" else plan.doubts)
+    found = re.search(r"lines of (\S+) px at S = 83\d px per half-breadth, S / lw = (\d+)", said)
+    assert found
+    assert float(found[1]) == pytest.approx(2.2 + brush_px - 1, abs=0.8)
+    assert ("mark a point of each station" in said) == (kind == "doubt")
 
 
 def test_curves_that_run_out_of_the_picture(tmp_path: Path) -> None:

@@ -23,6 +23,7 @@ OFF_CENTRE = 0.06  # of the horizontal lines' length: how far the centre line ma
 BOTH_SIDES = 0.35  # of a horizontal line's length that must lie on either side of the centre line
 LARGEST_AFFINE_RESIDUAL_PX = 0.6  # of the crossings of a flat scan
 FEWEST_LINES = 4  # of each family, for a homography
+LEAST_CONVERGENCE = 0.0008  # change of slope over a family: less is how lines are pulled by curves on them
 LARGEST_DISAGREEMENT = 0.01  # between scales, beyond which a person should look
 
 
@@ -103,9 +104,9 @@ def calibrate(
     rough = scale or breadth_m / 2 / (half_breadth_px or 1.0)
     grid = None
     if centre is not None and base is not None:
-        across = [crossing(line, base)[0] - origin[0] for line in vertical]
-        up = [origin[1] - crossing(centre, line)[1] for line in horizontal]
-        grid = find_grid(across, up, rough, breadth_m)
+        across = np.array([crossing(line, base)[0] - origin[0] for line in vertical])
+        up = np.array([origin[1] - crossing(centre, line)[1] for line in horizontal])
+        grid = find_grid(*_without_perspective(across, up, horizontal, vertical), rough, breadth_m)
     anything_given = any(value is not None for value in (u0, v0, scale)) or (
         given is not None and given.rotation_deg is not None
     )
@@ -128,7 +129,7 @@ def calibrate(
             words.append("no regular grid; scale of the breadth between the outermost lines")
         calibration = similarity(origin, scale, skew, 0.0, "; ".join(words))
     if half_breadth_px is not None:
-        measured = half_breadth_px * calibration.metres_per_px
+        measured = breadth_m / 2 * half_breadth_px / _reach_px(calibration, breadth_m / 2)
         # the outermost ink is a line's edge, up to three pixels beyond its axis
         if abs(measured / (breadth_m / 2) - 1) > LARGEST_DISAGREEMENT + 3 / half_breadth_px:
             doubts.append(
@@ -138,6 +139,39 @@ def calibrate(
     frame = _frame(horizontal, vertical, calibration, breadth_m)
     grid_m = (grid.across_m, grid.up_m) if grid is not None else None
     return CalibratedSheet(calibration, grid_m, frame, (f"calibration: {calibration.source}",), tuple(doubts))
+
+
+def _reach_px(calibration: Calibration, half_breadth_m: float) -> float:
+    """Distance in px along the base line from the centre line to the further side of the ship."""
+    matrix = np.array(calibration.pixel_from_metres)
+    ends = matrix @ np.array([[-half_breadth_m, 0.0, half_breadth_m], [0.0, 0.0, 0.0], [1.0, 1.0, 1.0]])
+    left, centre, right = ends[0] / ends[2]
+    return float(max(centre - left, right - centre))
+
+
+def _without_perspective(
+    across: Array, up: Array, horizontal: Sequence[StraightLine], vertical: Sequence[StraightLine]
+) -> tuple[Array, Array]:
+    """Distances along base line and centre line as they were before a camera leaned.
+
+    With u = k y / (1 + p y + r z) and v likewise, horizontal lines have the slopes p z and vertical ones r y, while
+    k y = d / (1 - d p / k) at a distance d along the base line.
+    """
+    lean_across = _convergence(up, horizontal)
+    lean_up = _convergence(across, vertical)
+    return across / (1 - lean_across * across), up / (1 - lean_up * up)
+
+
+def _convergence(places: Array, lines: Sequence[StraightLine]) -> float:
+    """Change of a family's slopes per px, the median over pairs of lines; 0 where it is too small to matter."""
+    if len(lines) < FEWEST_LINES:
+        return 0.0
+    slopes = np.array([line.slope for line in lines])
+    first, second = np.triu_indices(len(lines), 1)
+    apart = places[second] - places[first]
+    far = np.abs(apart) > 0.2 * np.ptp(places)
+    change = float(np.median((slopes[second] - slopes[first])[far] / apart[far]))
+    return change if abs(change) * np.ptp(places) > LEAST_CONVERGENCE else 0.0
 
 
 def _mean_slope(horizontal: Sequence[StraightLine], vertical: Sequence[StraightLine]) -> float:

@@ -22,11 +22,10 @@ FULLEST = 0.994  # of B/2: what a curve of the parallel body reaches
 SAME_BODY = 0.015  # between the areas of the two halves' curves of the parallel body
 AT_SIDE = 0.97  # of B/2: what the outermost curve of a drawing reaches
 NEAR_SIDE = 0.9  # of B/2: stations there end about as high as the midship section
+LOWEST_ENDS = 25  # percentile of the heights of curves that end near the side: those amidships
 SCALES_APART = 0.015  # between breadth and depth, beyond which a person should look
 HOPELESS = 0.85  # least ratio of the scales of breadth and depth, either way
 RUNS_ON = (0.02, 0.06)  # of B/2: where ink beyond the end of a curve means that the curve goes on
-SMALLEST_HALF_PX = 600.0  # B/2: of a picture 1450 px wide
-THINNEST_OF_HALF = 200.0  # B/2 over the width of a line
 SIDE_WINDOW = 0.08  # of B/2: the stretch of the line of the side that must be drawn for the most part
 EDGE_PX = 2.5
 FEWEST_CUT = 3  # lines at the picture's edge: one or two may be the scanner's
@@ -129,8 +128,11 @@ def doubts_of_scale(
     tops_m = [top * scale for top in sides if top is not None] or [
         max(float(curve[-1, 1]) for curve in near_side or [curve for curve, _ in curves]) * scale
     ]
-    cut_off = sum(_runs_on(curve, reading, bare) for curve, reading in curves) > 0.5 * len(curves)
-    curves_above = cut_off or any(curve[-1, 1] * scale > (1 + SCALES_APART) * depth_m for curve in near_side)
+    near = np.asarray(cv2.dilate(bare, np.ones((7, 7), np.uint8)), dtype=np.float32)
+    cut_off = sum(_runs_on(curve, reading, near) for curve, reading in curves) > 0.5 * len(curves)
+    # with sheer most of them end above the depth, but never those amidships; in a stretched picture all do
+    ends_m = [float(curve[-1, 1]) * scale for curve in near_side]
+    curves_above = cut_off or (bool(ends_m) and np.percentile(ends_m, LOWEST_ENDS) > (1 + SCALES_APART) * depth_m)
     top = max(tops_m) if max(tops_m) < depth_m else min(tops_m)
     fits = (top / depth_m > 1 - SCALES_APART) and (top / depth_m < 1 + SCALES_APART or not curves_above)
     if fits and not cut_off and widest > AT_SIDE * breadth_m / 2:
@@ -148,23 +150,6 @@ def doubts_of_scale(
         f"scale: {words}; that is {scale:.5g} m per px by the breadth and {scale * depth_m / top:.5g} m per px by the "
         "depth: check breadth_m, depth_m and whether the picture was stretched"
     ]
-
-
-def doubts_of_size(name: str, readings: Sequence[HalfReading]) -> list[str]:
-    """A picture too small, or drawn too boldly, to keep neighbouring stations apart."""
-    half_breadth_px = readings[0].frame.half_breadth_px
-    width_px = float(np.mean([reading.line_width_px for reading in readings]))
-    if half_breadth_px < SMALLEST_HALF_PX:
-        return [
-            f"{name}: the picture is small: {half_breadth_px:.0f} px per half-breadth; "
-            "1600 px wide or more is read well"
-        ]
-    if half_breadth_px < THINNEST_OF_HALF * width_px:
-        return [
-            f"{name}: the lines are thick: {width_px:.1f} px at {half_breadth_px:.0f} px per half-breadth; curves "
-            "merge where they lie near each other; scan it finer or draw thinner lines"
-        ]
-    return []
 
 
 def doubts_of_edges(readings: Sequence[HalfReading], bare: Ink) -> list[str]:
@@ -217,12 +202,11 @@ def _top_of_side(reading: HalfReading, ink: Ink) -> float | None:
     return float(z[upper[-1]])
 
 
-def _runs_on(curve: Array, reading: HalfReading, ink: Ink) -> bool:
-    """Whether ink goes on in the direction in which a curve ends."""
+def _runs_on(curve: Array, reading: HalfReading, near: Ink) -> bool:
+    """Whether ink, widened by some pixels, goes on in the direction in which a curve ends."""
     size = reading.frame.half_breadth_px
     behind = curve[-1] - curve[np.hypot(*(curve - curve[-1]).T) > 0.03 * size][-1]
     ahead = np.linspace(*RUNS_ON, 40)[:, None] * size * behind / np.hypot(*behind) + curve[-1]
     u, v = reading.frame.to_picture(ahead[:, 0], ahead[:, 1])
-    near = cv2.dilate(ink, np.ones((7, 7), np.uint8))
     seen = cv2.remap(near, u.astype(np.float32)[None], v.astype(np.float32)[None], cv2.INTER_NEAREST)
     return bool((seen > 0.3).mean() > 0.8)

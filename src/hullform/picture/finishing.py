@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
+from hullform.picture.lines import VERTICAL, Mask
 from hullform.picture.sheer import SheerLine
 from hullform.picture.smoothing import WEIGHT_OF_SHARED, Trace
 
@@ -33,6 +34,7 @@ AT_LINE = 0.012  # of B/2: a curve that ends so near the line of B/2 has met it,
 STEEP_ENOUGH = 0.7  # dz/dy of a curve that is about to join the line of B/2
 OFF_SHEER_PX = 2.0  # where the sheer line is known no better, the end of a curve's own ink says where it is
 LONGEST_STROKE = 0.06  # of B/2: how far ahead of a trace its ink is followed
+COVER_PX = 14  # ahead of an end: a line of the drawing must lie there, if the curve is to go on unseen
 LARGEST_BREAK_PX = 4  # in a stroke, where a line of the drawing was taken off
 
 
@@ -40,6 +42,7 @@ def finish(
     trace: Trace,
     frame: DiagonalFrame,
     ink: Ink,
+    hidden: Mask,
     sheer: SheerLine | None,
     depth_px: float | None,
     side_top_px: float | None = None,
@@ -49,7 +52,7 @@ def finish(
     Args:
         trace: the curve on the columns of the frame.
         frame: of its half.
-        ink: (rows, columns) of the frame.
+        ink, hidden: (rows, columns) of the frame, and where lines of the drawing were taken off.
         sheer: of its half, or None.
         depth_px: height of a level deck line, or None where none is drawn.
         side_top_px: height to which the line of B/2 is drawn, for curves that join it, or None.
@@ -59,7 +62,8 @@ def finish(
     size = frame.half_breadth_px
     y, z = _lower_end(y, z, size)
     y, z = _without_level_tail(y, z, size)
-    y, z = _upper_end(y, z, size, *_deck_over(trace, frame, ink, sheer, depth_px), side_top_px)
+    deck_over, reaches = _deck_over(trace, frame, ink, sheer, depth_px)
+    y, z = _upper_end(y, z, size, deck_over, reaches, _covered(trace, hidden), side_top_px)
     if side_top_px is None:
         return y, z
     deck = depth_px if sheer is None else float(sheer.at(size))
@@ -201,7 +205,7 @@ def _without_level_tail(y: Array, z: Array, size: float) -> tuple[Array, Array]:
 
 
 def _upper_end(
-    y: Array, z: Array, size: float, deck: Deck, reaches_deck: bool, side_top: float | None
+    y: Array, z: Array, size: float, deck: Deck, reaches_deck: bool, covered: bool, side_top: float | None
 ) -> tuple[Array, Array]:
     # what runs on along the sheer line or above it is not the station
     above = np.flatnonzero(z >= deck(y) - 1.0)
@@ -216,11 +220,11 @@ def _upper_end(
     arc = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
     part = arc >= arc[-1] - STRETCH * size
     rise, lean = z[-1] - z[part][0], y[-1] - y[part][0]
-    at_side = not reaches_deck and y[-1] > AT_SIDE * size and rise > 3 * abs(lean)
-    if at_side and y[-1] < size:
-        along, across = _continued(-z[part][::-1], y[part][::-1], size, FARTHEST * size)
-        y, z = np.concatenate([y, across[::-1]]), np.concatenate([z, -along[::-1]])
+    at_side = not reaches_deck and covered and y[-1] > AT_SIDE * size and rise > 3 * abs(lean)
     top = float(deck(float(y[-1])))
+    end_of_side = min(top, np.inf if side_top is None else max(side_top, z[-1]))
+    if at_side and z[-1] < end_of_side < np.inf:
+        return _into_the_side(y, z, lean / rise, size, end_of_side)
     if not np.isfinite(top):
         return y, z
     if z[-1] > top:
@@ -228,14 +232,31 @@ def _upper_end(
         end = float(np.interp(top, z[first - 1 : first + 1], y[first - 1 : first + 1]))
         return np.append(y[:first], end), np.append(z[:first], top)
     gap = top - z[-1]
-    if at_side and side_top is not None:
-        return np.append(y, y[-1]), np.append(z, max(min(top, side_top), z[-1]))
     if gap <= NEAR_DECK * size and rise > 0:
         end = y[-1]
         for _ in range(5):  # the deck's height depends on where the curve meets it
             end = y[-1] + lean / rise * (float(deck(end)) - z[-1])
         return np.append(y, end), np.append(z, float(deck(end)))
     return y, z
+
+
+def _into_the_side(y: Array, z: Array, slope: float, size: float, top: float) -> tuple[Array, Array]:
+    """Continue a curve up to `top` by a parabola that turns into the line of B/2, and along that line."""
+    height = np.linspace(0.0, top - z[-1], max(3, int((top - z[-1]) / 3)))[1:]
+    reach, slope = max(size - y[-1], 1e-6), max(slope, 0.0)
+    turning = np.minimum(height, 2 * reach / max(slope, 1e-9))
+    across = slope * turning - (slope * turning) ** 2 / (4 * reach)
+    return np.concatenate([y, y[-1] + across]), np.concatenate([z, z[-1] + height])
+
+
+def _covered(trace: Trace, hidden: Mask) -> bool:
+    """Whether an upright line of the drawing lies where a curve ends, so that it may go on unseen."""
+    size = min(len(trace.column), 12)
+    slope = float(np.polyfit(np.arange(size), trace.row[-size:], 1)[0])
+    ahead = np.arange(0, COVER_PX)
+    column = np.clip(np.round(trace.column[-1] + ahead), 0, hidden.shape[1] - 1).astype(np.int64)
+    row = np.clip(np.round(trace.row[-1] + slope * ahead), 0, hidden.shape[0] - 1).astype(np.int64)
+    return bool((hidden[row, column] & VERTICAL > 0).mean() > 0.5)
 
 
 def _up_the_side(y: Array, z: Array, size: float, top: float) -> tuple[Array, Array]:

@@ -15,9 +15,11 @@ from numpy.typing import NDArray
 from scipy.optimize import linprog
 from scipy.sparse import coo_matrix
 
+from hullform.picture.constraints import UNCONSTRAINED, Constraints, Links
 from hullform.picture.ends import STEEPEST, Ends, entry_cost, exit_cost
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
+from hullform.picture.line_edits import end_of, start_of
 from hullform.picture.lines import Mask
 from hullform.picture.ridges import Tracklet
 
@@ -53,6 +55,7 @@ def find_paths(
     most: int,
     marks: tuple[tuple[float, float], ...] = (),
     side_top_px: float | None = None,
+    constraints: Constraints = UNCONSTRAINED,
 ) -> tuple[list[Path], int]:
     """The curves of one half, each worth more than it costs, and how many of them are more than `most`.
 
@@ -65,33 +68,39 @@ def find_paths(
         most: number of stations that the half may show.
         marks: (column, row) of points that a user put on curves.
         side_top_px: height to which the line of B/2 is drawn by stations, or None where none runs along it.
+        constraints: what the user says of links, ends and shared lines.
 
     Returns:
         the curves, and by how many they are more than listed; further ones must gain as a station does.
     """
-    if not tracklets:
+    if not tracklets or most < 1:
         return [], 0
     scale = frame.half_breadth_px / REFERENCE_PX
     first, last = Ends.of(tracklets, last=False), Ends.of(tracklets, last=True)
-    source, target, link_cost = _links(tracklets, first, last, mask, frame, scale)
-    entry = entry_cost(first, mask, frame, scale) + COST_OF_CURVE * scale
+    links = constraints.of_links(tracklets, *_links(tracklets, first, last, mask, frame, scale))
+    entry = constraints.at_ends(entry_cost(first, mask, frame, scale), [start_of(t) for t in tracklets], scale)
+    entry += COST_OF_CURVE * scale
     leave = exit_cost(last, ink, frame, top_px, side_top_px, scale)
+    leave = constraints.at_ends(leave, [end_of(t) for t in tracklets], scale)
     length = np.array([len(t.column) for t in tracklets], dtype=np.float64)
     strength = np.array([float(t.strength.mean()) for t in tracklets])
     reward = -length * np.minimum(1.0, strength / 0.5)
     width = np.array([float(np.median(t.width)) for t in tracklets])
     spare = np.clip(1.0 - 2.0 * np.clip(width / width_px - 1.0, 0.0, 4.0), 0.0, 1.0)
     share = length * (0.02 + 0.4 * spare) + 0.5
+    share[constraints.shared(tracklets, links)] = 0.0
     for index in _marked(tracklets, marks):
         reward[index] -= REWARD_OF_MARK * scale
 
     def solve(units: int) -> Flow | None:
-        return _solve(reward, share, source, target, link_cost, entry, leave, units)
+        return _solve(reward, share, links, entry, leave, units)
 
-    flow = solve(most)
+    flow, unlisted = solve(most), 0
+    while flow is None and unlisted < MOST_UNLISTED:  # more lines are to be joined than there are stations
+        unlisted += 1
+        flow = solve(most + unlisted)
     if flow is None:
         return [], 0
-    unlisted = 0
     if flow.units == most:  # the bound may have kept curves out
         before = flow
         while unlisted < MOST_UNLISTED and (further := solve(most + unlisted + 1)) is not None:
@@ -99,8 +108,7 @@ def find_paths(
                 break
             unlisted, before = unlisted + 1, further
         flow = before
-    links, entries, exits = flow.links, flow.entries, flow.exits
-    walks = _decompose(tracklets, first, last, frame, source, target, links, entries, exits)
+    walks = _decompose(tracklets, first, last, frame, links, flow)
     ends = [float(entry[walk[0]] - COST_OF_CURVE * scale + leave[walk[-1]]) / scale for walk in walks]
     return [Path(tuple(walk), cost) for walk, cost in zip(walks, ends, strict=True)], unlisted
 
@@ -173,12 +181,12 @@ def _links(
     return source[good].astype(np.int64), target[good].astype(np.int64), cost[good]
 
 
-def _solve(
-    reward: Array, share: Array, source: Indices, target: Indices, link: Array, entry: Array, leave: Array, most: int
-) -> Flow | None:
-    """The cheapest flow of at most `most` units."""
-    n, m = len(reward), len(link)
-    cost = np.concatenate([reward, share, link, entry, leave])
+def _solve(reward: Array, share: Array, passed: Links, entry: Array, leave: Array, most: int) -> Flow | None:
+    """The cheapest flow of at most `most` units; None where the links that must be passed need more."""
+    n, m = len(reward), len(passed.cost)
+    source, target = passed.source, passed.target
+    cost = np.concatenate([reward, share, passed.cost, entry, leave])
+    lower = np.concatenate([np.zeros(2 * n), passed.least, np.zeros(2 * n)])
     upper = np.concatenate([np.ones(n), np.full(n, most - 1.0), np.full(m + 2 * n, float(most))])
     node, arc = np.arange(n), np.arange(m)
     # what comes in (links, entries) passes the tracklet (first use, shared use) and goes out (links, exits)
@@ -205,7 +213,7 @@ def _solve(
         b_ub=[most],
         A_eq=balance,
         b_eq=np.zeros(2 * n),
-        bounds=[(0.0, float(most_here)) for most_here in upper],
+        bounds=np.column_stack([lower, upper]),
         method="highs",
     )
     if result.x is None:
@@ -219,24 +227,21 @@ def _decompose(
     first: Ends,
     last: Ends,
     frame: DiagonalFrame,
-    source: Indices,
-    target: Indices,
-    links: Indices,
-    entries: Indices,
-    exits: Indices,
+    links: Links,
+    flow: Flow,
 ) -> list[list[int]]:
     """Single curves out of the flow; where several share a tracklet they keep their order from the centre outwards."""
     n = len(tracklets)
     outgoing: list[list[int]] = [[] for _ in range(n)]
-    for index in np.flatnonzero(links > 0).tolist():
-        outgoing[source[index]] += [int(target[index])] * int(links[index])
+    for index in np.flatnonzero(flow.links > 0).tolist():
+        outgoing[links.source[index]] += [int(links.target[index])] * int(flow.links[index])
     y, z = frame.to_drawing(first.column, first.row)
     edge = MARGIN_OF_ORDER * frame.half_breadth_px
     paths: list[list[int]] = []
     arriving: list[list[tuple[float, int]]] = [[] for _ in range(n)]
     for node in np.lexsort((last.column, first.column)).tolist():
         here = arriving[node]
-        for _ in range(int(entries[node])):
+        for _ in range(int(flow.entries[node])):
             # a curve that starts on the centre line lies inside, one from the base line outside
             rank = -np.inf if y[node] < edge <= z[node] else np.inf if z[node] < edge else 0.0
             here.append((float(rank), len(paths)))
@@ -245,7 +250,7 @@ def _decompose(
         for _, path in here:
             paths[path].append(node)
         # the inner ones end first, at the deck
-        going = [path for _, path in here][int(exits[node]) :]
+        going = [path for _, path in here][int(flow.exits[node]) :]
         ordered = sorted(outgoing[node], key=lambda other: float(first.row[other] + 6 * first.slope[other]))
         for position, (path, other) in enumerate(zip(going, ordered, strict=False)):
             arriving[other].append((float(last.row[node]) + 1e-3 * position, path))

@@ -5,19 +5,32 @@ What depends on the picture alone is prepared once; tracing is quick and can be 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from hullform.body_plan import Half
+from hullform.corrections import Drawn, Knuckle
+from hullform.picture.constraints import constrain
 from hullform.picture.finishing import finish
 from hullform.picture.flow import find_paths
 from hullform.picture.frame import DiagonalFrame
+from hullform.picture.hand_drawn import course, rank_among, without_ink_of
 from hullform.picture.ink import Ink
 from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
-from hullform.picture.ridges import Tracklet, find_peaks, find_tracklets, line_width, usable
+from hullform.picture.placing import REACH, Placed
+from hullform.picture.ridges import (
+    Peaks,
+    Tracklet,
+    find_peaks,
+    find_tracklets,
+    line_width,
+    usable,
+    without_hair_lines,
+)
 from hullform.picture.sheer import SheerLine, find_sheer
 from hullform.picture.side import top_of_side
 from hullform.picture.smoothing import Trace, smooth_traces
@@ -30,6 +43,8 @@ DECK_ZONE = 0.84  # of the depth: without a sheer line found, level ridges above
 LEVEL_SLOPE = 0.8
 NEAR_DEPTH = 0.12  # of the depth: a side drawn so high goes to the depth, by its meaning; lower, the deck is stepped
 POINT_SPACING_PX = 2.0  # along a traced curve
+SHORTEST_UNUSED_PX = 12  # of a line that is shown as one that no curve took
+NO_CORNERS: Array = np.zeros((0, 2))
 HIDDEN_BY_GRID = 0.7  # share of a curve that can be seen through a close grid: more missing counts against it
 
 
@@ -42,6 +57,10 @@ class HalfReading:
         confidences: 0..1 of each.
         sheer: the deck edge, or None where none was found.
         unlisted: by how many the curves are more than the stations that are listed.
+        drawn: which of the curves were drawn by hand, and the station of each, m.
+        second_contours: station, m, and points as in `curves` of second contours drawn by hand.
+        unused: (n, 2) [y, z] of lines that no curve took.
+        unheeded: ids of the corrections that changed nothing.
     """
 
     half: Half
@@ -51,6 +70,10 @@ class HalfReading:
     sheer: SheerLine | None
     line_width_px: float
     unlisted: int = 0
+    drawn: tuple[tuple[int, float], ...] = ()
+    second_contours: tuple[tuple[float, Array], ...] = ()
+    unused: tuple[Array, ...] = ()
+    unheeded: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +90,7 @@ class HalfInk:
         deck_level_px: height of a level deck line at the depth, or None where none is drawn.
         side_top_px: height to which stations run along the line of B/2, or None where none does.
         sheer: the deck edge, or None where none was found.
-        tracklets: pieces of curve.
+        peaks: of the ridges that may be curves; `tracklets`: pieces of curve, of the peaks below the deck edge.
     """
 
     half: Half
@@ -80,6 +103,7 @@ class HalfInk:
     deck_level_px: float | None
     side_top_px: float | None
     sheer: SheerLine | None
+    peaks: Peaks
     tracklets: list[Tracklet]
 
 
@@ -104,44 +128,117 @@ def prepare_half(
     sheer = find_sheer(bare, frame, depth_px, side_top)
     peaks = find_peaks(here, width)
     peaks = peaks.chosen(usable(peaks, hidden, frame))
-    y, z = frame.to_drawing(peaks.column.astype(np.float64), peaks.row)
+    level = depth_px if deck_line else None
+    prepared = HalfInk(half, frame, here, hidden, width, width, depth_px, level, side_top, sheer, peaks, [])
+    tracklets = pieces_of_curve(prepared)
+    single = float(np.percentile(np.concatenate([t.width for t in tracklets]), 35)) if tracklets else width
+    return replace(prepared, single_px=single, tracklets=tracklets)
+
+
+def pieces_of_curve(prepared: HalfInk, flank_px: float | None = None) -> list[Tracklet]:
+    """The tracklets of a half below its deck edge.
+
+    Args:
+        prepared: the half; its tracklets are not looked at.
+        flank_px: how near the deck edge flat ridges are the deck edge.
+    """
+    peaks, sheer, depth_px = prepared.peaks, prepared.sheer, prepared.depth_px
+    y, z = prepared.frame.to_drawing(peaks.column.astype(np.float64), peaks.row)
     if sheer is not None:
+        flank = SHEER_FLANK_PX if flank_px is None else flank_px
         deck = sheer.at(y)
-        on_deck = (np.abs(z - deck) < SHEER_FLANK_PX) & (peaks.slope > FLAT_SLOPE)
-        above = z > deck + SHEER_FLANK_PX
+        on_deck = (np.abs(z - deck) < flank) & (peaks.slope > FLAT_SLOPE)
+        above = z > deck + flank
     else:
         on_deck = (z > DECK_ZONE * depth_px) & (peaks.slope > LEVEL_SLOPE)
-        above = z > (1.01 if deck_line else 1.6) * depth_px
-    tracklets = find_tracklets(peaks.chosen(~(on_deck | above)))
-    single = float(np.percentile(np.concatenate([t.width for t in tracklets]), 35)) if tracklets else width
-    level = depth_px if deck_line else None
-    return HalfInk(half, frame, here, hidden, width, single, depth_px, level, side_top, sheer, tracklets)
+        above = z > (1.01 if prepared.deck_level_px is not None else 1.6) * depth_px
+    return without_hair_lines(find_tracklets(peaks.chosen(~(on_deck | above))))
 
 
-def trace_half(prepared: HalfInk, most: int, marks: tuple[tuple[float, float], ...] = ()) -> HalfReading:
+def trace_half(
+    prepared: HalfInk,
+    most: int,
+    marks: tuple[tuple[float, float], ...] = (),
+    placed: Sequence[Placed] = (),
+) -> HalfReading:
     """Trace the curves of one half.
 
     Args:
         prepared: its ink.
         most: number of stations of the half.
         marks: (y, z) in px of the drawing of the user's marks.
+        placed: the user's corrections.
     """
     here, frame, sheer, tracklets = prepared.ink, prepared.frame, prepared.sheer, prepared.tracklets
-    side_top, width = prepared.side_top_px, prepared.line_width_px
-    if not tracklets:
-        return HalfReading(prepared.half, frame, (), (), sheer, width)
-    ends = np.array([(t.column[-1], t.row[-1]) for t in tracklets], dtype=np.float64)
+    side_top, width, size = prepared.side_top_px, prepared.line_width_px, prepared.frame.half_breadth_px
+    by_hand = {}
+    for item in placed:
+        if isinstance(item.correction, Drawn):
+            curve = course(item.yz, item.correction.smooth, size)
+            by_hand[item.correction.curve, item.correction.station_m] = curve
+            tracklets = without_ink_of(curve, tracklets, frame, prepared.single_px)
+    tracklets, constraints, unheeded = constrain(tracklets, placed, size)
+    whole = sorted((station, curve) for (number, station), curve in by_hand.items() if number == 0)
+    ends = np.array([(t.column[-1], t.row[-1]) for t in tracklets], dtype=np.float64).reshape(-1, 2)
     end_y, _ = frame.to_drawing(ends[:, 0], ends[:, 1])
     top = sheer.at(end_y) if sheer is not None else np.full(len(tracklets), prepared.depth_px)
     seeds = tuple((float(c), float(r)) for c, r in (frame.from_drawing(y, z) for y, z in marks))
     paths, unlisted = find_paths(
-        tracklets, here, prepared.hidden, frame, prepared.single_px, top, most, seeds, side_top
+        tracklets,
+        here,
+        prepared.hidden,
+        frame,
+        prepared.single_px,
+        top,
+        most - len(whole),
+        seeds,
+        side_top,
+        constraints,
     )
-    traces = smooth_traces(paths, tracklets, prepared.single_px, frame)
+    knuckles = [item for item in placed if isinstance(item.correction, Knuckle)]
+    traces = smooth_traces(paths, tracklets, prepared.single_px, frame, [tuple(item.at[0]) for item in knuckles])
+    corners = [np.array(trace.corners).reshape(-1, 2) for trace in traces]
+    unheeded += [
+        item.correction.id
+        for item in knuckles
+        if not any((np.hypot(*(at - item.at[0]).T) < 2 * REACH * size).any() for at in corners)
+    ]
     level = prepared.deck_level_px
-    curves = tuple(_evenly(np.column_stack(finish(trace, frame, here, sheer, level, side_top))) for trace in traces)
-    confidences = tuple(_confidence(trace) for trace in traces)
-    return HalfReading(prepared.half, frame, curves, confidences, sheer, width, unlisted)
+    curves = [
+        _evenly(
+            np.column_stack(finish(trace, frame, here, prepared.hidden, sheer, level, side_top)),
+            np.column_stack(frame.to_drawing(at[:, 0], at[:, 1])),
+        )
+        for trace, at in zip(traces, corners, strict=True)
+    ]
+    confidences = [_confidence(trace) for trace in traces]
+    # from the centre line outwards, as the half shows its stations
+    drawn: list[tuple[int, float]] = []
+    for station, curve in whole if prepared.half == "aft" else whole[::-1]:
+        rank = max(rank_among(curve, curves, frame), drawn[-1][0] + 1 if drawn else 0)
+        curves.insert(rank, _evenly(curve))
+        confidences.insert(rank, 1.0)
+        drawn.append((rank, station))
+    taken = {piece for path in paths for piece in path.tracklets}
+    unused = tuple(
+        np.column_stack(frame.to_drawing(t.column.astype(np.float64), t.row))
+        for number, t in enumerate(tracklets)
+        if number not in taken and len(t.column) >= SHORTEST_UNUSED_PX
+    )
+    second = tuple((station, _evenly(curve)) for (number, station), curve in by_hand.items() if number == 1)
+    return HalfReading(
+        prepared.half,
+        frame,
+        tuple(curves),
+        tuple(confidences),
+        sheer,
+        width,
+        unlisted,
+        tuple(drawn),
+        second,
+        unused,
+        tuple(unheeded),
+    )
 
 
 def _widened(mask: Mask, width_px: float) -> Mask:
@@ -159,9 +256,13 @@ def _confidence(trace: Trace) -> float:
     return float(np.clip(seen * alone * np.exp(-max(trace.end_cost, 0.0) / 200.0), 0.0, 1.0))
 
 
-def _evenly(points: Array) -> Array:
-    """The curve at even steps of arc length, its ends kept."""
+def _evenly(points: Array, corners: Array = NO_CORNERS) -> Array:
+    """The curve at even steps of arc length, its ends and corners kept."""
     arc = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
     keep = np.concatenate([[True], np.diff(arc) > 1e-9])
     at = np.linspace(0.0, arc[-1], max(3, round(arc[-1] / POINT_SPACING_PX) + 1))
+    for corner in corners:
+        away = np.hypot(*(points - corner).T)
+        if away.min() < POINT_SPACING_PX:
+            at = np.unique(np.append(at, arc[np.argmin(away)]))
     return np.column_stack([np.interp(at, arc[keep], points[keep, k]) for k in (0, 1)])

@@ -6,6 +6,7 @@ ink, and each line is then refined by itself to a few hundredths of a pixel.
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 
 import cv2
@@ -20,8 +21,15 @@ Mask = NDArray[np.uint8]
 LARGEST_SKEW_DEG = 3.0
 SEARCH_WIDTH_PX = 1000  # the search runs on a picture of about this width
 LEAST_LENGTH = 0.3  # of the picture's side: a shorter run is no candidate
+MOST_CANDIDATES = 80  # of a family
+FAN_NEAREST_PX = 3  # between candidates of different slopes, where the search runs
 LEAST_FAMILY_LENGTH = 0.72  # of the longest lines of the family: shorter ones are pieces of curves
 LARGEST_SLOPE_SPREAD = 0.0022  # between the lines of a family (0.13 deg): curves that look straight differ more
+LARGEST_CONVERGENCE = 0.06  # change of slope of a family across the picture, where a camera leaned
+CONVERGENCE_STEP = 0.002  # between the slopes at which such a family is looked for
+CONVERGENCE_GAIN = 1.5  # lines more, that a convergent family must hold to be believed
+BORDER_TOLERANCE = 0.015  # of the picture's width: how nearly the lines of a border meet at its corners
+BORDER_LONGER = 1.03  # than any other line of its family
 VERTICAL, HORIZONTAL = 1, 2  # bits of the mask
 
 
@@ -79,16 +87,97 @@ def find_lines(ink: Ink) -> tuple[list[StraightLine], list[StraightLine]]:
     families = []
     for vertical in (False, True):
         along, across = (v, u) if vertical else (u, v)
-        slope = -skew if vertical else skew
-        found = _candidates(
-            along.astype(np.float64), across.astype(np.float64), slope, small.shape[0 if vertical else 1]
+        mean = -skew if vertical else skew
+        side = small.shape[0 if vertical else 1]
+        found = _candidates(along.astype(np.float64), across.astype(np.float64), mean, side)
+        parallel = _refined(ink, [(offset, mean) for offset in found], vertical, shrink)
+        fan = _fan(along.astype(np.float64), across.astype(np.float64), mean, side)
+        # a camera that leaned shows lines that converge; a scanner does not, and there curves that look straight do
+        convergent = _convergent(_refined(ink, fan, vertical, shrink), mean, width if vertical else height)
+        parallel = [line for line in parallel if abs(line.slope - mean) < LARGEST_SLOPE_SPREAD]
+        more = _length(convergent, 4 * shrink) > _length(parallel, 4 * shrink) + CONVERGENCE_GAIN
+        families.append(_one_each(convergent if more else parallel, 4 * shrink))
+    horizontal, vertical_ = _without_border(families[0], families[1], width)
+    return _family(horizontal, 4 * shrink), _family(vertical_, 4 * shrink)
+
+
+def _refined(ink: Ink, found: list[tuple[float, float]], vertical: bool, shrink: float) -> list[StraightLine]:
+    """The lines at offsets and slopes found on the smaller picture."""
+    lines = [
+        _refine(ink, offset * shrink + (shrink - 1) / 2 * (1 - slope), slope, vertical, max(3.0, 2.0 * shrink))
+        for offset, slope in found
+    ]
+    return [line for line in lines if line is not None]
+
+
+def _fan(along: Array, across: Array, mean: float, side: int) -> list[tuple[float, float]]:
+    """Offsets and slopes of long lines whose slopes lie about a mean one, the one with most ink at each place."""
+    reach = LARGEST_CONVERGENCE / 2
+    best: list[tuple[float, float, float, float]] = []
+    for slope in mean + np.arange(-reach, reach + 1e-9, CONVERGENCE_STEP):
+        for offset, count in _peaks(along, across, float(slope), side):
+            best.append((count, offset + slope * side / 2, offset, float(slope)))
+    kept: list[tuple[float, float, float, float]] = []
+    for line in sorted(best, reverse=True):
+        if all(abs(line[1] - other[1]) > FAN_NEAREST_PX for other in kept):
+            kept.append(line)
+    return [(offset, slope) for _, _, offset, slope in kept[:MOST_CANDIDATES]]
+
+
+def _convergent(lines: list[StraightLine], mean: float, size: float) -> list[StraightLine]:
+    """The largest set of lines whose slope changes evenly from place to place: slope = c0 + c1 n."""
+    if len(lines) < 3:
+        return []
+    place = np.array([float(line.at((line.start + line.end) / 2)) / size for line in lines])
+    slope = np.array([line.slope for line in lines])
+    length = np.array([line.length for line in lines])
+    best: tuple[float, NDArray[np.bool_]] = (0.0, np.zeros(len(lines), dtype=np.bool_))
+    for i, j in itertools.combinations(range(len(lines)), 2):
+        if abs(place[i] - place[j]) < 0.1:
+            continue
+        change = (slope[j] - slope[i]) / (place[j] - place[i])
+        if abs(change) > LARGEST_CONVERGENCE:
+            continue
+        near = np.abs(slope - slope[i] - change * (place - place[i])) < LARGEST_SLOPE_SPREAD / 2
+        if length[near].sum() > best[0]:
+            best = (float(length[near].sum()), near)
+    return [line for line, chosen in zip(lines, best[1], strict=True) if chosen]
+
+
+def _length(lines: list[StraightLine], nearest: float) -> float:
+    """How many lines of the family's length its lines are together."""
+    family = _family(lines, nearest)
+    return sum(line.length for line in family) / max((line.length for line in family), default=1.0)
+
+
+def _without_border(
+    horizontal: list[StraightLine], vertical: list[StraightLine], width: int
+) -> tuple[list[StraightLine], list[StraightLine]]:
+    """The lines without the border round the sheet: the outermost four, where they meet and all others are shorter."""
+    tolerance = BORDER_TOLERANCE * width
+    while len(horizontal) > 2 and len(vertical) > 2:
+        (top, bottom), (left, right) = _outermost(horizontal), _outermost(vertical)
+        meet = all(
+            abs(line.start - float(first.at(line.at(line.start)))) < tolerance
+            and abs(line.end - float(last.at(line.at(line.end)))) < tolerance
+            for pair, first, last in (((top, bottom), left, right), ((left, right), top, bottom))
+            for line in pair
         )
-        refined = [
-            _refine(ink, offset * shrink + (shrink - 1) / 2 * (1 - slope), slope, vertical, max(3.0, 2.0 * shrink))
-            for offset in found
-        ]
-        families.append(_family([line for line in refined if line is not None], slope, 4 * shrink))
-    return families[0], families[1]
+        inner_h = [line for line in horizontal if line is not top and line is not bottom]
+        inner_v = [line for line in vertical if line is not left and line is not right]
+        longer = all(
+            min(pair[0].length, pair[1].length) > BORDER_LONGER * max(line.length for line in inner)
+            for pair, inner in (((top, bottom), inner_h), ((left, right), inner_v))
+        )
+        if not (meet and longer):
+            break
+        horizontal, vertical = inner_h, inner_v
+    return horizontal, vertical
+
+
+def _outermost(lines: list[StraightLine]) -> tuple[StraightLine, StraightLine]:
+    places = [float(line.at((line.start + line.end) / 2)) for line in lines]
+    return lines[int(np.argmin(places))], lines[int(np.argmax(places))]
 
 
 def _projection(along: Array, across: Array, slope: float) -> NDArray[np.int64]:
@@ -117,15 +206,19 @@ def _skew(u: Array, v: Array) -> float:
 
 
 def _candidates(along: Array, across: Array, slope: float, side: int) -> list[float]:
-    """Offsets whose projection holds a long line's worth of ink, each the peak of its neighbourhood."""
+    """Offsets whose projection holds a long line's worth of ink, from the first to the last."""
+    return sorted(offset for offset, _ in _peaks(along, across, slope, side)[:MOST_CANDIDATES])
+
+
+def _peaks(along: Array, across: Array, slope: float, side: int) -> list[tuple[float, float]]:
+    """Offsets and ink of the projection where it holds a long line's worth, each the peak of its neighbourhood."""
     n = np.round(across - slope * along).astype(np.int64)
     shift = int(n.min()) - 2 if n.size else 0
     counts = np.bincount(n - shift, minlength=3).astype(np.float64)
     counts = np.r_[counts, 0.0, 0.0]
     near = np.max([np.roll(counts, k) for k in (-2, -1, 1, 2)], axis=0)
     peaks = np.flatnonzero((counts >= near) & (counts >= 0.8 * LEAST_LENGTH * side))
-    strongest = peaks[np.argsort(-counts[peaks])][:80]
-    return [float(k + shift) for k in sorted(strongest)]
+    return [(float(k + shift), float(counts[k])) for k in peaks[np.argsort(-counts[peaks])]]
 
 
 def _across(ink: Ink, centre: Array, t: Array, reach: Array, vertical: bool) -> Array:
@@ -199,16 +292,18 @@ def _unimodal(profile: Array, middle: int) -> Array:
     return out
 
 
-def _family(lines: list[StraightLine], slope: float, nearest: float) -> list[StraightLine]:
-    """Keep the parallel, long lines, one for each place, sorted across."""
-    parallel = [line for line in lines if abs(line.slope - slope) < LARGEST_SLOPE_SPREAD]
-    if not parallel:
+def _family(lines: list[StraightLine], nearest: float) -> list[StraightLine]:
+    """Keep the long lines, one for each place, sorted across."""
+    if not lines:
         return []
-    lengths = np.sort([line.length for line in parallel])
-    longest = float(np.median(lengths[-3:]))
+    longest = float(np.median(np.sort([line.length for line in lines])[-3:]))
+    return _one_each([line for line in lines if line.length >= LEAST_FAMILY_LENGTH * longest], nearest)
+
+
+def _one_each(lines: list[StraightLine], nearest: float) -> list[StraightLine]:
+    """The boldest line of each place, sorted across."""
     kept: list[StraightLine] = []
-    long = [line for line in parallel if line.length >= LEAST_FAMILY_LENGTH * longest]
-    for line in sorted(long, key=lambda x: float(x.at((x.start + x.end) / 2))):
+    for line in sorted(lines, key=lambda x: float(x.at((x.start + x.end) / 2))):
         t = (line.start + line.end) / 2
         if kept and abs(float(line.at(t)) - float(kept[-1].at(t))) < nearest:
             if line.weight * line.length > kept[-1].weight * kept[-1].length:

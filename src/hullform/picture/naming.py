@@ -25,6 +25,7 @@ MOST_UNDRAWN_TOGETHER = 2
 MARK_NOISE_PX = 5.0  # a hand's error and half a line: curves so near are all meant
 FARTHEST_MARK_PX = 200.0  # a mark farther from every curve says no more than this
 LEVELS = (0.08, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95)  # of the highest curve: where fairness is judged
+COST_OF_ANOTHER = 1e5  # curve than the one drawn for a station
 NO_CURVE = -1
 
 
@@ -33,6 +34,7 @@ def assign_stations(
     half_breadths: Array,
     certainty: Sequence[float],
     mark_distance_px: Array | None = None,
+    fixed: Sequence[tuple[int, int]] = (),
 ) -> list[int]:
     """The curve of each station, both counted from the centre line outwards; never decreasing; -1 without a curve.
 
@@ -43,12 +45,17 @@ def assign_stations(
         half_breadths: (curves, levels) at fixed heights in parts of B/2, NaN where a curve does not reach.
         certainty: 0..1 of each curve: how dear it is to leave it without a name.
         mark_distance_px: (stations, curves) distance of each station's mark from each curve, NaN where it has none.
+        fixed: station and curve that a person drew for it, both by index and in the same order.
     """
     stations, curves = len(positions_m), len(half_breadths)
     x = np.asarray(positions_m, dtype=np.float64)
     marks = np.zeros((stations, curves)) if mark_distance_px is None else np.nan_to_num(mark_distance_px)
     at = np.clip(marks - MARK_NOISE_PX, 0.0, FARTHEST_MARK_PX)
     undrawn = COST_OF_UNDRAWN_STATION + np.where(np.ptp(at, axis=1) > 0, FARTHEST_MARK_PX, 0.0)
+    for station, curve in fixed:
+        at[station] = COST_OF_ANOTHER
+        at[station, curve] = 0.0
+        undrawn[station] += COST_OF_ANOTHER
     left_out = np.concatenate([[0.0], np.cumsum(COST_OF_UNNAMED_CURVE * np.asarray(certainty, dtype=np.float64))])
     before, after = left_out[:-1], left_out[-1] - left_out[1:]
     # from curve b to curve c of the next name: what lies between has no name

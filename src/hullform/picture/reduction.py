@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from hullform.body_plan import Calibration
 from hullform.picture.homography import describe
-from hullform.picture.ink import Picture
+from hullform.picture.image_files import Picture
 from hullform.ship import CalibrationGiven, CalibrationPoint
 
 Array = NDArray[np.float64]
@@ -19,6 +19,7 @@ Coordinate = TypeVar("Coordinate", float, Array)
 
 LARGEST_WIDTH_PX = 4500  # lines are told apart at 1600 px; more costs time and memory and brings nothing
 REDUCED_WIDTH_PX = 3600
+LARGEST_PX = 20_000_000  # of a picture taller than wide
 
 
 @dataclass(frozen=True)
@@ -66,8 +67,10 @@ class Reduction:
 def reduced(grey: Picture) -> tuple[Picture, Reduction]:
     """The picture at a width that is worth reading, by area, and what was done to it."""
     height, width = grey.shape
-    if width <= LARGEST_WIDTH_PX:
+    shrink = REDUCED_WIDTH_PX / width if width > LARGEST_WIDTH_PX else 1.0
+    shrink = min(shrink, float(np.sqrt(LARGEST_PX / grey.size)))
+    if shrink == 1.0:
         return grey, Reduction()
-    rows = round(height * REDUCED_WIDTH_PX / width)
-    small = cv2.resize(grey, (REDUCED_WIDTH_PX, rows), interpolation=cv2.INTER_AREA)
-    return np.asarray(small, dtype=np.uint8), Reduction(width / REDUCED_WIDTH_PX, height / rows)
+    rows, columns = round(height * shrink), round(width * shrink)
+    small = cv2.resize(grey, (columns, rows), interpolation=cv2.INTER_AREA)
+    return np.asarray(small, dtype=np.uint8), Reduction(width / columns, height / rows)

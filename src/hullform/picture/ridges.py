@@ -25,6 +25,8 @@ LARGEST_STEP_PX = 3.0  # across, between neighbouring columns: that slope and th
 LARGEST_MISS_PX = 1.3  # between a peak and where its neighbour's slope points
 SHORTEST_PX = 5  # of a tracklet
 JUNCTION_PX = 3.5  # a tracklet that ends so near another one cuts it there
+USUAL_BOLDNESS = 35.0  # percentile of the ink across the lines that is a station's: merged ones are bolder
+HAIR_LINE = 0.5  # of that: a line so thin is no station
 WIDEST_PX = 60  # of a ribbon of merged curves, to either side of a peak
 
 
@@ -136,6 +138,16 @@ def find_tracklets(peaks: Peaks) -> list[Tracklet]:
         if len(chain) >= SHORTEST_PX:
             chains.append(peaks.chosen(np.array(chain)))
     return _split_at_junctions(chains)
+
+
+def without_hair_lines(tracklets: list[Tracklet]) -> list[Tracklet]:
+    """Those that are drawn as boldly as stations: sheer lines, diagonals and leaders are often thinner by half."""
+    if not tracklets:
+        return []
+    boldness = np.array([float(np.median(t.width * np.minimum(t.strength, 1.0))) for t in tracklets])
+    length = np.array([len(t.column) for t in tracklets])
+    usual = float(np.percentile(np.repeat(boldness, length), USUAL_BOLDNESS))
+    return [t for t, bold in zip(tracklets, boldness.tolist(), strict=True) if bold > HAIR_LINE * usual]
 
 
 def _following(peaks: Peaks) -> Indices:

@@ -124,7 +124,7 @@ class Grid:
 
 
 def find_grid(
-    across_px: Sequence[float], up_px: Sequence[float], metres_per_px: float, breadth_m: float
+    across_px: Sequence[float] | Array, up_px: Sequence[float] | Array, metres_per_px: float, breadth_m: float
 ) -> Grid | None:
     """The grid of round spacings whose two scales agree with each other and with the rough scale.
 

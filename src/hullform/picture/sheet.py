@@ -13,7 +13,9 @@ from hullform.errors import PictureError
 from hullform.picture.calibration import CalibratedSheet, calibrate
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.half import HalfInk, prepare_half
-from hullform.picture.ink import Ink, Picture, ink_of, load_grey
+from hullform.picture.image_files import Picture, load_grey
+from hullform.picture.ink import Ink, ink_of
+from hullform.picture.likeness import explained, require_upright
 from hullform.picture.lines import find_lines, subtract_lines
 from hullform.picture.reduction import Reduction, reduced
 from hullform.ship import Ship
@@ -57,14 +59,14 @@ def prepare_sheet(ship: Ship) -> Sheet:
         PictureError: no readable picture, no calibration, or one that cannot be.
     """
     path, source, main = ship.body_plan.image_path, ship.body_plan, ship.particulars
-    whole = load_grey(path)
+    whole = load_grey(path, source.page)
     size_px = (whole.shape[1], whole.shape[0])
     grey, reduction = reduced(whole)
     del whole
     ink = ink_of(grey, str(path))
-    horizontal, vertical = find_lines(ink)
     given = reduction.given(source.calibration)
-    calibrated = calibrate(ink, horizontal, vertical, main.breadth_m, main.depth_m, given, str(path))
+    with explained(str(path), ink, main.breadth_m, main.depth_m):
+        calibrated = calibrate(ink, *find_lines(ink), main.breadth_m, main.depth_m, given, str(path))
     calibration = calibrated.calibration
     bare, mask = subtract_lines(ink, list(calibrated.frame_lines))
     depth_px = main.depth_m / calibration.metres_per_px
@@ -85,4 +87,6 @@ def prepare_sheet(ship: Ship) -> Sheet:
     for half in HALVES:
         frame = DiagonalFrame.of(calibration, -1 if half == left else 1, main.breadth_m, top_m)
         halves[half] = prepare_half(half, frame, ink, bare, mask, depth_px, deck_line)
+    with explained(str(path), ink, main.breadth_m, main.depth_m):
+        require_upright(str(path), bare, halves.values())
     return Sheet(path, size_px, grey, reduction, ink, bare, calibrated, halves)

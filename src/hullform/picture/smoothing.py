@@ -10,15 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import solveh_banded
 
+from hullform.picture.corners import bends_freely, corner_near, without_blur
 from hullform.picture.flow import Path
 from hullform.picture.frame import DiagonalFrame
+from hullform.picture.placing import REACH
 from hullform.picture.ridges import Tracklet
 
 Array = NDArray[np.float64]
 
 SHORTEST_WAVE = 0.045  # of B/2: shorter waves along a curve are taken for noise
 WEIGHT_OF_SHARED = 0.04  # of a point in a ribbon of several curves, against 1 for one of its own
-WEIGHT_OF_GAP = 0.004  # of a point that nothing shows
+WEIGHT_OF_GAP = 1e-5  # of a point that nothing shows
+SAME_PLACE_PX = 2.0  # curves that lie so near each other at a knuckle all have it
 PASSES = 4  # of the robust fit
 BLOT = 0.25  # of B/2: how far from the keel point curves may still be merged
 STEEPEST = 0.12  # least ratio of y and z there: a flatter or steeper curve touches its axis elsewhere
@@ -35,6 +38,7 @@ class Trace:
         weight: 1 where the curve stands alone, 0.04 in a ribbon, 0.004 in gaps.
         visible: share of the columns with ink; `own`: share where it stands alone.
         end_cost: of the flow, at both ends.
+        corners: [column, row] of the knuckles that were kept.
     """
 
     column: Array
@@ -43,12 +47,17 @@ class Trace:
     visible: float
     own: float
     end_cost: float
+    corners: tuple[tuple[float, float], ...] = ()
 
 
 def smooth_traces(
-    paths: Sequence[Path], tracklets: Sequence[Tracklet], width_px: float, frame: DiagonalFrame
+    paths: Sequence[Path],
+    tracklets: Sequence[Tracklet],
+    width_px: float,
+    frame: DiagonalFrame,
+    knuckles: Sequence[tuple[float, float]] = (),
 ) -> list[Trace]:
-    """The curves of a half from the centre line outwards."""
+    """The curves of a half from the centre line outwards; (column, row) of the user's knuckles are not rounded."""
     raw = [_joined(path, tracklets) for path in paths]
 
     def inside_first(first: int, second: int) -> int:
@@ -59,7 +68,22 @@ def smooth_traces(
     for rank in order:
         for piece in paths[rank].tracklets:
             users.setdefault(piece, []).append(rank)
-    return [_trace(number, paths[number], tracklets, users, width_px, frame) for number in order]
+    near = _under(knuckles, raw, REACH * frame.half_breadth_px)
+    return [_trace(number, paths[number], tracklets, users, width_px, frame, near[number]) for number in order]
+
+
+def _under(
+    knuckles: Sequence[tuple[float, float]], raw: Sequence[tuple[Array, Array]], reach: float
+) -> list[list[float]]:
+    """The columns of the knuckles of each curve: those that lie nearest to it, or no farther than on that one."""
+    out: list[list[float]] = [[] for _ in raw]
+    for column, row in knuckles:
+        away = [float(np.hypot(c - column, r - row).min()) for c, r in raw]
+        least = min(away, default=np.inf)
+        for number, distance in enumerate(away):
+            if least <= reach and distance <= least + SAME_PLACE_PX:
+                out[number].append(column)
+    return out
 
 
 def _joined(path: Path, tracklets: Sequence[Tracklet]) -> tuple[Array, Array]:
@@ -89,6 +113,7 @@ def _trace(
     users: dict[int, list[int]],
     width_px: float,
     frame: DiagonalFrame,
+    knuckles: Sequence[float],
 ) -> Trace:
     columns, rows, weights = [], [], []
     for piece in path.tracklets:
@@ -106,7 +131,10 @@ def _trace(
     every = np.arange(column[0], column[-1] + 1)
     weight = np.full(len(every), WEIGHT_OF_GAP)
     weight[(column - column[0]).astype(np.int64)] = seen
-    smooth = _robust_smooth(np.interp(every, column, row), weight, max(14.0, SHORTEST_WAVE * frame.half_breadth_px))
+    raw = np.interp(every, column, row)
+    found_corners = [corner_near(every, raw, weight, at, frame.half_breadth_px) for at in knuckles]
+    corners = sorted({corner for corner in found_corners if corner is not None})
+    smooth = _robust_smooth(raw, weight, max(14.0, SHORTEST_WAVE * frame.half_breadth_px), corners)
     return Trace(
         column=every,
         row=smooth,
@@ -114,6 +142,7 @@ def _trace(
         visible=found / len(every),
         own=own / len(every),
         end_cost=path.end_cost,
+        corners=tuple((float(every[corner]), float(smooth[corner])) for corner in corners),
     )
 
 
@@ -152,14 +181,16 @@ def _spread(tracklet: Tracklet, rank: int, sharers: int, width_px: float) -> Arr
     return row
 
 
-def _robust_smooth(values: Array, weights: Array, shortest_wave: float) -> Array:
-    """Whittaker's smoother (third differences), reweighted by Tukey's function of the residuals."""
+def _robust_smooth(values: Array, weights: Array, shortest_wave: float, corners: Sequence[int] = ()) -> Array:
+    """Whittaker's smoother (third differences), reweighted by Tukey's function of the residuals; it keeps corners."""
     if len(values) < 12:
         return values
+    free = bends_freely(len(values), corners)
+    weights = without_blur(weights, corners, WEIGHT_OF_GAP)
     stiffness = (shortest_wave / (2 * np.pi)) ** 6
     current = weights
     for _ in range(PASSES):
-        smooth = _whittaker(values, current, stiffness)
+        smooth = _whittaker(values, current, np.where(free, 0.0, stiffness))
         residual = np.abs(smooth - values)
         certain = weights > 0.5
         scale = max(0.2, 1.4826 * float(np.median(residual[certain]))) if certain.sum() > 5 else 0.3
@@ -167,8 +198,8 @@ def _robust_smooth(values: Array, weights: Array, shortest_wave: float) -> Array
     return smooth
 
 
-def _whittaker(values: Array, weights: Array, stiffness: float) -> Array:
-    """Minimise sum w (f - values)^2 + stiffness * sum (third difference of f)^2."""
+def _whittaker(values: Array, weights: Array, stiffness: Array) -> Array:
+    """Minimise sum w (f - values)^2 + sum stiffness * (third difference of f)^2."""
     difference = np.array([-1.0, 3.0, -3.0, 1.0])
     size = len(values)
     bands = np.zeros((4, size))

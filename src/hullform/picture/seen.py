@@ -1,0 +1,110 @@
+"""What a reader of a picture has seen, in pixels of the stored picture: for a page that shows and mends it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hullform.body_plan import Half
+from hullform.picture.half import HalfReading
+from hullform.picture.placing import REACH, drawing_of_stored, stored_of_drawing
+from hullform.picture.reduction import Reduction
+from hullform.picture.sheet import Sheet
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class SeenCurve:
+    """A traced curve.
+
+    Attributes:
+        half: of the drawing.
+        px: (n, 2) pixels of the stored picture, keel to deck.
+        stations_m: x of the stations that have it; none where no station does.
+        number: 0, or 1 for the second contour of its station.
+        confidence: 0 (guessed) to 1 (certain).
+        by_hand: whether a person drew it.
+    """
+
+    half: Half
+    px: Array
+    stations_m: tuple[float, ...]
+    number: int
+    confidence: float
+    by_hand: bool
+
+
+@dataclass(frozen=True, eq=False)
+class UnusedLine:
+    """A line that no curve took: half and (n, 2) pixels of the stored picture."""
+
+    half: Half
+    px: Array
+
+
+@dataclass(frozen=True)
+class StationDoubt:
+    """What is not sure about one station."""
+
+    station_m: float
+    half: Half
+    text: str
+
+
+def seen_curves(
+    reading: HalfReading, stations: Mapping[int, Sequence[float]], reduction: Reduction
+) -> tuple[SeenCurve, ...]:
+    """The curves of a half, from the centre line outwards, then the second contours that were drawn.
+
+    Args:
+        reading: of the half.
+        stations: x of the stations of each curve.
+        reduction: of the picture that was read.
+    """
+    by_hand = {number for number, _ in reading.drawn}
+    first = [
+        SeenCurve(
+            reading.half,
+            stored_of_drawing(curve, reading.frame, reduction),
+            tuple(sorted(stations.get(number, ()))),
+            0,
+            confidence,
+            number in by_hand,
+        )
+        for number, (curve, confidence) in enumerate(zip(reading.curves, reading.confidences, strict=True))
+    ]
+    second = [
+        SeenCurve(reading.half, stored_of_drawing(curve, reading.frame, reduction), (station,), 1, 1.0, True)
+        for station, curve in reading.second_contours
+    ]
+    return (*first, *second)
+
+
+def unused_lines(reading: HalfReading, reduction: Reduction) -> tuple[UnusedLine, ...]:
+    """The lines of a half that no curve took."""
+    return tuple(UnusedLine(reading.half, stored_of_drawing(line, reading.frame, reduction)) for line in reading.unused)
+
+
+def snap(sheet: Sheet, px: tuple[float, float]) -> tuple[float, float]:
+    """The middle of the nearest line within a hand's reach of a pixel of the stored picture; else that pixel."""
+    best: tuple[float, tuple[float, float]] | None = None
+    for prepared in sheet.halves.values():
+        frame, peaks = prepared.frame, prepared.peaks
+        yz = drawing_of_stored(np.array([px], dtype=np.float64), frame, sheet.reduction)
+        column, row = (float(value[0]) for value in frame.from_drawing(yz[:, 0], yz[:, 1]))
+        away = np.hypot(peaks.column - column, peaks.row - row)
+        if not away.size or away.min() > REACH * frame.half_breadth_px:
+            continue
+        at = int(np.argmin(away))
+        # from the nearest peak straight across the line, as far as its tangent passes from the pixel
+        slope = float(peaks.slope[at])
+        along = ((column - peaks.column[at]) + (row - peaks.row[at]) * slope) / (1 + slope**2)
+        foot = np.column_stack(frame.to_drawing(peaks.column[[at]] + along, peaks.row[[at]] + slope * along))
+        u, v = stored_of_drawing(foot, frame, sheet.reduction)[0]
+        if best is None or away[at] < best[0]:
+            best = (float(away[at]), (float(u), float(v)))
+    return px if best is None else best[1]
