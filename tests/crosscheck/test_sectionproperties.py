@@ -11,12 +11,12 @@ from itertools import pairwise
 
 import pytest
 from plated import Plate, network
+from sectionproperties.analysis import Section
+from sectionproperties.pre import Geometry
 from shapely import unary_union
 from shapely.geometry import LineString, Polygon
 
 from hullform.loading.thin_walled import SectionProperties, section_properties
-
-sectionproperties = pytest.importorskip("sectionproperties.analysis")
 
 HALF_BREADTH, DEPTH = 20.0, 20.0
 BOTTOM, SKIN = 2.4, 2.4  # height of the inner bottom, breadth of the double side
@@ -46,13 +46,11 @@ def both_sides(plates: list[Plate]) -> list[Plate]:
 
 def solid(plates: list[Plate]) -> dict[str, float]:
     """sectionproperties' figures of the plates drawn out to their thickness."""
-    from sectionproperties.pre import Geometry
-
     walls = unary_union([LineString([a, b]).buffer(t / 2, cap_style="square") for a, b, t in plates])
     assert isinstance(walls, Polygon)
     geometry = Geometry(walls)
     geometry.create_mesh(mesh_sizes=[0.5])
-    section = sectionproperties.Section(geometry)
+    section = Section(geometry)
     section.calculate_geometric_properties()
     section.calculate_warping_properties()
     ixx, iyy, _ = section.get_ic()

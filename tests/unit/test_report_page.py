@@ -225,7 +225,7 @@ def test_the_midship_section_is_drawn_and_listed_with_its_thicknesses(run: Run, 
     )
     pictures = draw_pictures(plated)
     drawing = pictures["midship-section"].content.decode("utf-8")
-    for label in ("inner bottom, 14.5 mm", "deck, 16 mm", "neutral axis, z = "):
+    for label in ("inner bottom, 14.5 mm", "deck, 16 mm", "hatch opening, 12 m", "neutral axis, z = "):
         assert label in drawing
     section = " ".join(render(plated, pictures, "").split('id="girder"')[1].split('id="modes"')[0].split())
     row = '<th scope="row" class="words">inner bottom</th><td>14.5</td>'

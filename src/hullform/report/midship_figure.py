@@ -59,6 +59,14 @@ def midship_figure(run: Run) -> Picture:
         neutral, color=INK, linewidth=0.8, linestyle=(0, (8, 3, 2, 3)),
         label=f"neutral axis, z = {significant(neutral)} m",
     )  # fmt: skip
+    given, _, _ = run.ship.require_sections_of_a_run()
+    opening = min(given.opening_breadth_m(hull.midships_m), 2 * half)
+    if opening:
+        deck = float(np.interp(hull.midships_m, hull.x_m, hull.top_height_m))
+        axes.plot(
+            [-opening / 2, opening / 2], [deck, deck], color=PART_COLOURS["deck"], linewidth=1.0, linestyle=":",
+            label=f"hatch opening, {as_given(opening)} m",
+        )  # fmt: skip
     axes.axvline(0.0, color=QUIET, linewidth=0.7, linestyle=(0, (8, 3, 2, 3)))
     finish(axes, "y from the centre line, m", "z above the base line, m")
     axes.set_xlim(-half - margin, half + margin)
@@ -106,4 +114,5 @@ def _write_thickness(axes: Axes, plating: Plating) -> None:
         ha="right" if upright else "center",
         va="center" if upright else "bottom",
         fontsize=7.5,
+        bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6},
     )
