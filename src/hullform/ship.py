@@ -214,26 +214,8 @@ class Ship(Table):
 
     @model_validator(mode="after")
     def _structure_lies_in_the_ship(self) -> Self:
-        if self.structure is None:
-            return self
-        overall, breadth = self.particulars.length_overall_m, self.particulars.breadth_m
-        places = [("from_m or to_m", x) for x in self.structure.bounds_m]
-        places += [("transverse_bulkheads.x_m", x) for item in self.structure.transverse_bulkheads for x in item.x_m]
-        for key, x in places:
-            if not -1e-6 <= x <= overall + 1e-6:
-                raise ValueError(
-                    f"structure: {key} has {x:g}, outside the ship (0 .. {overall:g} m); "
-                    "x runs from the aft end of the length overall"
-                )
-        half = breadth / 2
-        broad = [("hatches.breadth_m", item.breadth_m, breadth) for item in self.structure.hatches]
-        broad += [("longitudinal_bulkheads.y_m", item.y_m, half) for item in self.structure.longitudinal_bulkheads]
-        broad += [("decks.outboard_of_m", item.outboard_of_m, half) for item in self.structure.decks]
-        if self.structure.double_side is not None:
-            broad.append(("double_side.breadth_m", self.structure.double_side.breadth_m, half))
-        for key, value, limit in broad:
-            if value >= limit:
-                raise ValueError(f"structure: {key} = {value:g} is not below {limit:g} m, with breadth_m = {breadth:g}")
+        if self.structure is not None:
+            self.structure.require_within(self.particulars.length_overall_m, self.particulars.breadth_m)
         return self
 
     @property

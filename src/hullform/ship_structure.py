@@ -174,3 +174,26 @@ class StructureInput(Table):
         """Every x where a member begins or ends, in order."""
         spans = (*self.platings, *self.hatches)
         return tuple(sorted({x for span in spans for x in span.ends_m}))
+
+    def require_within(self, length_overall_m: float, breadth_m: float) -> None:
+        """Hold every place along and across against a ship of that length and breadth, in m.
+
+        Raises:
+            ValueError: names the key, the value and the limit.
+        """
+        along = [("from_m or to_m", x) for x in self.bounds_m]
+        along += [("transverse_bulkheads.x_m", x) for item in self.transverse_bulkheads for x in item.x_m]
+        for key, x in along:
+            if not -1e-6 <= x <= length_overall_m + 1e-6:
+                raise ValueError(
+                    f"structure: {key} has {x:g}, outside the ship (0 .. {length_overall_m:g} m); "
+                    "x runs from the aft end of the length overall"
+                )
+        half = breadth_m / 2
+        across = [("hatches.breadth_m", item.breadth_m, breadth_m) for item in self.hatches]
+        across += [("longitudinal_bulkheads.y_m", item.y_m, half) for item in self.longitudinal_bulkheads]
+        across += [("decks.outboard_of_m", item.outboard_of_m, half) for item in self.decks]
+        across += [("double_side.breadth_m", item.breadth_m, half) for item in (self.double_side,) if item is not None]
+        for key, value, limit in across:
+            if value >= limit:
+                raise ValueError(f"structure: {key} = {value:g} is not below {limit:g} m; breadth_m is {breadth_m:g}")

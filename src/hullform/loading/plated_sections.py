@@ -99,13 +99,14 @@ def _steel(plating: Plating) -> float:
 
 
 def _stacked(given: StructureInput, platings: list[list[Plating]], branches: list[list[Branch]]) -> Network:
-    """All sections side by side; what a section has less than another is filled with branches of no length."""
+    """All sections side by side; what one has less than another is filled with branches of no length at a joint of their own."""
     most = max(1, max(len(found) for found in branches))
     longest = max(2, max((len(branch.points) for found in branches for branch in found), default=2))
     sections = len(branches)
     y, z = np.zeros((2, sections, most, longest))
     shear, bending = np.zeros((2, sections, most, longest - 1))
-    joints = np.zeros((sections, most, 2), dtype=np.int64)
+    spare = 1 + max((max(branch.joints) for found in branches for branch in found), default=0)
+    joints = np.full((sections, most, 2), spare, dtype=np.int64)
     margin = given.corrosion_margin_m if given.scantlings == "net" else 0.0
     for row, (section, found) in enumerate(zip(platings, branches, strict=True)):
         for number, branch in enumerate(found):
