@@ -99,7 +99,7 @@ def _steel(plating: Plating) -> float:
 
 
 def _stacked(given: StructureInput, platings: list[list[Plating]], branches: list[list[Branch]]) -> Network:
-    """All sections side by side; what one has less than another is filled with branches of no length at a joint of their own."""
+    """All sections side by side, filled up to the longest with branches of no length at a joint of their own."""
     most = max(1, max(len(found) for found in branches))
     longest = max(2, max((len(branch.points) for found in branches for branch in found), default=2))
     sections = len(branches)
