@@ -23,12 +23,13 @@ from generator.families import FAMILIES
 from generator.levels import LEVELS
 from generator.pictures import Recipe, make
 from generator.scoring import StationScore, score_stations
-from generator.suite import DEVELOPMENT_SEED, LARGE_PX, TEST_SEED, WIDTHS_PX, suite
+from generator.suite import DEVELOPMENT_SEED, LARGE_PX, TEST_SEED, WIDTHS_PX, sample, suite
 
 from hullform.errors import HullformError
 
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "reading-accuracy.md"
 WORKERS = 2
+SAMPLE_ROW = "the sample of 24 that the tests read"
 GATE_WIDTH_PX, GATE_RATIO = 2000, 300.0
 
 
@@ -116,6 +117,7 @@ def groups() -> Iterator[tuple[str, Callable[[Recipe, float], bool]]]:
         f"**{GATE_WIDTH_PX} px and wider, S/lw {GATE_RATIO:g} and more**",
         lambda r, ratio: r.width_px >= GATE_WIDTH_PX and ratio >= GATE_RATIO,
     )
+    yield SAMPLE_ROW, lambda r, ratio: r in (*sample(suite(TEST_SEED)), *sample(suite(DEVELOPMENT_SEED)))
     for low, high in ((0, 200), (200, 300), (300, 450), (450, 10000)):
         name = f"S/lw {low} to {high}" if high < 10000 else f"S/lw over {low}"
         yield name, lambda r, ratio, low=low, high=high: low <= ratio < high

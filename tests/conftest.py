@@ -1,14 +1,15 @@
-"""What several kinds of test share: the ships of bodyplans/, each run once a worker."""
+"""What several kinds of test share: the ships of bodyplans/, each run once a worker, and the driver of browsers."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import pytest
+from playwright.sync_api import Playwright, sync_playwright
 
 ROOT = Path(__file__).parent.parent
 
@@ -38,3 +39,10 @@ def finished_run(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Fi
         return known[ship]
 
     return run
+
+
+@pytest.fixture(scope="session")
+def driver() -> Iterator[Playwright]:
+    """Drives browsers; its event loop allows no second one beside it in a worker."""
+    with sync_playwright() as playwright:
+        yield playwright

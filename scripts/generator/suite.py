@@ -25,3 +25,10 @@ def suite(first_seed: int) -> tuple[Recipe, ...]:
     large = (("container", "grid"), ("tanker", "scan"), ("frigate", "clean"), ("bulb", "busy"))
     recipes += [Recipe(f, level, LARGE_PX, first_seed + len(recipes) + k) for k, (f, level) in enumerate(large)]
     return tuple(recipes)
+
+
+def sample(recipes: tuple[Recipe, ...]) -> tuple[Recipe, ...]:
+    """Return 24 recipes of a suite: every level at 2000 px, at 1200 or 1600 px, and two at 3000 px."""
+    levels, widths = len(LEVELS), len(WIDTHS_PX)
+    places = [(0, n, 2) for n in range(levels)] + [(1, n, n % 2) for n in range(levels)] + [(2, 0, 3), (2, 4, 3)]
+    return tuple(recipes[(round_ * levels + n) * widths + m] for round_, n, m in places)

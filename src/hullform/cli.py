@@ -94,6 +94,25 @@ def _trace(options: argparse.Namespace) -> int:
     return _doubts(reading.body_plan.doubts)
 
 
+def _review(options: argparse.Namespace) -> int:
+    from hullform.review.serving import serve_review
+    from hullform.ship import read_ship
+
+    def say(address: str) -> None:
+        _clear_progress()
+        print(f"review of {ship.path}: {address}\nPress Ctrl-C here to end it.", flush=True)
+
+    ship = read_ship(options.ship)
+    _progress("opening the picture")
+    try:
+        serve_review(ship, options.port, not options.no_browser, say)
+    except KeyboardInterrupt:
+        # this is how a review ends; what was not saved, the page has warned of
+        _clear_progress()
+    print("review ended", file=sys.stderr)
+    return DONE
+
+
 def _mesh(options: argparse.Namespace) -> int:
     from hullform.files import refuse_inputs
     from hullform.hull.mesh_files import export_mesh
@@ -176,6 +195,9 @@ def _parser() -> argparse.ArgumentParser:
     trace = add("trace", _trace, "read the stations' curves out of the picture into an offsets table")
     trace.add_argument("-o", "--output", type=Path, metavar="FILE", help="default: offsets.csv beside SHIP.toml")
     trace.add_argument("--overlay", type=Path, metavar="FILE", help="also draw what was read over the picture")
+    review = add("review", _review, "see and mend what is read from the picture, on a page of this machine")
+    review.add_argument("--port", type=int, default=0, metavar="N", help="of 127.0.0.1; default: a free one")
+    review.add_argument("--no-browser", action="store_true", help="print the page's address only")
     mesh = add("mesh", _mesh, "loft the hull and write it as a mesh")
     mesh.add_argument(
         "-o", "--output", type=Path, metavar="FILE", help="hull.stl beside SHIP.toml by default; .obj .ply .glb too"

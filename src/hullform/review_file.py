@@ -110,6 +110,16 @@ def read_review(ship: Ship) -> Review | None:
         raise ReviewError(f"{path}: cannot be read ({error}); check it, or move it away") from None
     except json.JSONDecodeError as error:
         raise ReviewError(f"{path}: is no JSON: {error}; mend it, or move it away and review again") from None
+    return checked_review(document, ship)
+
+
+def checked_review(document: object, ship: Ship) -> Review:
+    """A review out of its JSON document, which must be of the ship's picture as it lies there.
+
+    Raises:
+        ReviewError: it is no review, or was made of another picture.
+    """
+    path = review_path(ship)
     try:
         review = Review.model_validate(document)
     except ValidationError as error:

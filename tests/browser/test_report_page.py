@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import io
-import os
-import shutil
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -12,7 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from matplotlib.image import imread
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page, Playwright
+from review_page import QUIET, find_chromium
 
 from hullform.pipeline import run_ship
 from hullform.report.page import write_report
@@ -23,13 +22,6 @@ pytestmark = pytest.mark.browser
 Launch = Callable[[tuple[str, ...]], Browser]
 
 SHIP = Path(__file__).parents[2] / "bodyplans" / "scim-containership" / "ship.toml"
-QUIET = (
-    "--no-sandbox",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--no-first-run",
-)
 SOFTWARE_GL = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 NO_GL = ("--disable-gpu", "--disable-3d-apis", "--disable-webgl", "--disable-webgl2")
 OFFLINE = ("file:", "data:", "blob:", "about:")
@@ -51,17 +43,6 @@ class Visit:
 
 
 @pytest.fixture(scope="module")
-def chromium() -> str:
-    for name in ("chromium", "chromium-browser", "google-chrome"):
-        found = shutil.which(name)
-        if found:
-            return found
-    if os.environ.get("HULLFORM_REQUIRE_BROWSER"):
-        pytest.fail("HULLFORM_REQUIRE_BROWSER is set, but no chromium, chromium-browser or google-chrome is on PATH")
-    pytest.skip("no chromium, chromium-browser or google-chrome on PATH")
-
-
-@pytest.fixture(scope="module")
 def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("report")
     write_report(run_ship(read_ship(SHIP)), folder)
@@ -69,12 +50,9 @@ def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def launch(chromium: str) -> Iterator[Launch]:
-    # one driver for the module: its event loop allows no second one beside it
-    with sync_playwright() as playwright:
-        yield lambda arguments: playwright.chromium.launch(
-            executable_path=chromium, args=["--headless=new", *QUIET, *arguments]
-        )
+def launch(driver: Playwright) -> Launch:
+    chromium = find_chromium()
+    return lambda arguments: driver.chromium.launch(executable_path=chromium, args=[*QUIET, *arguments])
 
 
 def _visit(browser: Browser, report: Path) -> Iterator[Visit]:

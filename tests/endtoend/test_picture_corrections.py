@@ -31,6 +31,7 @@ Point = tuple[float, float]
 BODYPLANS = Path(__file__).parents[2] / "bodyplans"
 WIGLEY, TANKER = "wigley", "ds-tanker"
 X_M = 20.0  # of the station of the Wigley hull that is damaged
+LITTLE = 0.05  # % of B/2, 0.4 px: what a station may change that nobody touched, or that was drawn through its points
 
 
 def untouched(name: str) -> tuple[Ship, Sheet]:
@@ -87,7 +88,8 @@ def test_an_erased_piece_is_mended_by_a_join(tmp_path: Path) -> None:
     mended = corrected(ship, sheet, Joined(id="a", px=ends))
     # a fifth of the curve is led by its ends: over 180 px a smooth section departs from that by some pixels of 830
     assert rms_of(mended, WIGLEY)[X_M] < 0.6
-    assert max(rms for x, rms in rms_of(mended, WIGLEY).items() if x != X_M) < 0.15
+    before, after = rms_of(whole, WIGLEY), rms_of(mended, WIGLEY)
+    assert all(after[x] < before[x] + LITTLE for x in before if x != X_M)
     assert mended.body_plan.doubts == ()
 
 
@@ -150,7 +152,8 @@ def test_a_drawn_curve_is_the_station_and_its_ink_no_other() -> None:
     assert (curve.by_hand, curve.confidence, curve.number) == (True, 1.0, 0)
     assert to_polyline(np.array(points), curve.px).max() < 0.1
     assert reading.body_plan.doubts == ()
-    assert max(rms_of(reading, WIGLEY).values()) < 0.15
+    before, after = rms_of(whole, WIGLEY), rms_of(reading, WIGLEY)
+    assert all(after[x] < before[x] + LITTLE for x in before)
     assert len(reading.curves) == len(whole.curves)
 
 
@@ -175,7 +178,7 @@ def test_of_two_curves_drawn_for_a_station_the_later_counts() -> None:
         Drawn(id="second", station_m=X_M, half="aft", px=points),
     )
     assert [item.id for item in reading.unheeded] == ["first"]
-    assert rms_of(reading, WIGLEY)[X_M] < 0.15
+    assert rms_of(reading, WIGLEY)[X_M] < LITTLE
 
 
 def test_a_deck_edge_ends_the_stations_of_its_half() -> None:

@@ -252,3 +252,16 @@ def test_overlay_is_of_an_image_type_and_written_whole(tmp_path: Path, monkeypat
         overlay.write_overlay(reading, path)
     assert path.read_text() == "what was there before"
     assert sorted(p.name for p in tmp_path.iterdir()) == ["bodyplan.png", "overlay.png", "ship.toml"]
+
+
+@pytest.mark.parametrize(
+    ("edit", "words"),
+    [
+        (('"left"', '"right"'), "with the halves swapped: check aft_side"),
+        ((" 233.05,", ""), r"if one more station lay between 227\.1 and 239 m \(fore half\)"),
+    ],
+)
+def test_names_that_are_wrong_in_silence_make_unfair_waterlines(
+    edit: tuple[str, str], words: str, tmp_path: Path
+) -> None:
+    assert re.search(f"waterlines: as named, .* {words}", doubts(read(tmp_path, TANKER, (edit,))))

@@ -36,7 +36,7 @@ def half_of(lines: Sequence[Array]) -> HalfInk:
     hidden = np.zeros(ink.shape, np.uint8)
     bare = HalfInk("aft", FRAME, ink, hidden, LINE_PX, LINE_PX, SIZE_PX, None, None, None, peaks, [])
     tracklets = pieces_of_curve(bare)
-    single = float(np.median(np.concatenate([tracklet.width for tracklet in tracklets])))
+    single = float(np.median(np.concatenate([line.width for line in tracklets])))
     return replace(bare, single_px=single, tracklets=tracklets)
 
 

@@ -27,6 +27,7 @@ GOOD = 0.3  # RMS in % of B/2 with which the person is content
 CLICK_NOISE_PX = 1.5  # of a click that marks a curve
 DRAWN_NOISE_PX = 1.0  # of the points of a drawn curve, set with the loupe
 POINTS_OF_CURVE = 15
+PATIENCE = 3  # times that the person goes through the wrong stations
 POINTS_OF_DECK = 6
 ALONG = 0.5  # of a curve: where it is marked
 BEND = 2.0  # radians of bend that call for as many points as the whole length does
@@ -48,7 +49,7 @@ def corrections_of(hull: RealHull, ship: Ship, sheet: Sheet, seed: int = 1) -> l
     wrong = _wrong(hull, ship, sheet, kept)
     halves: tuple[Half, Half] = ("aft", "fore")
     for half in halves:
-        if len([s for s in wrong if s.half == half]) > 2:
+        if any(station.half == half for station in wrong):
             kept, wrong = _tried([_deck_edge(hull, half, rng)], hull, ship, sheet, kept, wrong)
     marks = [_marked(station, number, rng) for number, station in enumerate(wrong)]
     with_marks = _wrong(hull, ship, sheet, [*kept, *marks])
@@ -56,16 +57,22 @@ def corrections_of(hull: RealHull, ship: Ship, sheet: Sheet, seed: int = 1) -> l
         still = {(station.half, station.x_m) for station in with_marks}
         kept += [mark for mark in marks if (mark.half, mark.station_m) not in still]
         wrong = _wrong(hull, ship, sheet, kept)
-    while wrong:
-        before = len(wrong)
-        # the innermost first: bulbs and their like, which the others lie outside of
-        for station in wrong if wrong[0].half == "aft" else wrong[::-1]:
+    for _ in range(PATIENCE):
+        for station in [station for half in halves for station in _inner_first(wrong, half)]:
             for smooth in (True, False):
-                if station in wrong:
-                    kept, wrong = _tried(_by_hand(station, smooth, rng), hull, ship, sheet, kept, wrong)
-        if len(wrong) >= before:
-            break
+                if station in wrong and not _is_drawn(station, kept):
+                    kept, wrong = _tried(_by_hand(station, smooth, rng), hull, ship, sheet, kept, wrong, station)
     return kept
+
+
+def _inner_first(stations: Sequence[TrueStation], half: Half) -> list[TrueStation]:
+    """Those of a half from the centre line outwards: bulbs and their like first, which the others lie outside of."""
+    return [station for station in stations[:: 1 if half == "aft" else -1] if station.half == half]
+
+
+def _is_drawn(station: TrueStation, corrections: Sequence[Correction]) -> bool:
+    drawn = [correction for correction in corrections if isinstance(correction, Drawn)]
+    return any((curve.half, curve.station_m) == (station.half, station.x_m) for curve in drawn)
 
 
 def _wrong(hull: RealHull, ship: Ship, sheet: Sheet, corrections: Sequence[Correction]) -> list[TrueStation]:
@@ -80,10 +87,15 @@ def _tried(
     sheet: Sheet,
     kept: list[Correction],
     wrong: list[TrueStation],
+    meant: TrueStation | None = None,
 ) -> tuple[list[Correction], list[TrueStation]]:
-    """The corrections and the stations that are still wrong: with the new corrections where these help."""
+    """The corrections and the stations that are still wrong: with the new corrections where these help.
+
+    One that mends the station that it is meant for may cost another, which is then seen to.
+    """
     still = _wrong(hull, ship, sheet, [*kept, *more])
-    return ([*kept, *more], still) if len(still) < len(wrong) else (kept, wrong)
+    helps = len(still) < len(wrong) or (meant is not None and meant not in still and len(still) == len(wrong))
+    return ([*kept, *more], still) if helps else (kept, wrong)
 
 
 def _clicks(line: Array, noise_px: float, rng: np.random.Generator) -> tuple[Point, ...]:

@@ -60,7 +60,7 @@ class RealHull:
 
 
 def real_hull(name: str, folder: Path) -> RealHull:
-    """Write the ship.toml of one of those hulls into a folder; her picture stays where it is. Skips where she is absent."""
+    """Write the ship.toml of one of those hulls into a folder, for her picture where it lies; skip without her."""
     source = HULLS / name
     if not (source / "calibration.json").is_file():
         pytest.skip(f"{source}: not present; HULLFORM_SHARED names the folder that holds hulls/")

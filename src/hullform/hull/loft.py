@@ -24,6 +24,7 @@ from hullform.hull.drawn import (
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.hull.sections import Sections, interpolated, quadrature
 from hullform.hull.surface import closed_surface
+from hullform.hull.turning_back import doubts_of_turning_back
 
 if TYPE_CHECKING:
     import trimesh
@@ -134,6 +135,7 @@ class Hull:
                 )
         fits = fit_stations(body_plan, float(particulars.breadth_m))
         merged, disagreements = merge_halves(fits, float(particulars.breadth_m))
+        unlike = doubts_of_turning_back(body_plan, fits, float(particulars.breadth_m) / 2)
         x = station_places(length, stations)
         sections, extrapolated, guesses = lofted_sections(merged, x, length)
         return cls(
@@ -151,7 +153,7 @@ class Hull:
             draught_m=float(particulars.draught_m),
             fits=fits,
             extrapolated=extrapolated,
-            doubts=disagreements + guesses,
+            doubts=disagreements + guesses + unlike,
         )
 
     @property

@@ -20,6 +20,7 @@ from hullform.ship import CalibrationGiven
 Array = NDArray[np.float64]
 
 OFF_CENTRE = 0.06  # of the horizontal lines' length: how far the centre line may lie from their middle
+WHOLE_LINE = 0.75  # of the longest horizontal line: shorter ones may belong to one half
 BOTH_SIDES = 0.35  # of a horizontal line's length that must lie on either side of the centre line
 LARGEST_AFFINE_RESIDUAL_PX = 0.6  # of the crossings of a flat scan
 FEWEST_LINES = 4  # of each family, for a homography
@@ -96,17 +97,19 @@ def calibrate(
     elif v0 is not None and centre is not None:
         found = (float(centre.at(v0)), v0)
     origin = (found[0] if u0 is None else u0, found[1] if v0 is None else v0)
-    half_breadth_px = outermost_half_breadth(ink, origin, skew)
+    across, up, lean, lean_up = np.zeros(0), np.zeros(0), 0.0, 0.0
+    if centre is not None and base is not None:
+        across = np.array([crossing(line, base)[0] - origin[0] for line in vertical])
+        up = np.array([origin[1] - crossing(centre, line)[1] for line in horizontal])
+        lean, lean_up = _convergence(up, horizontal), _convergence(across, vertical)
+    half_breadth_px = outermost_half_breadth(ink, origin, skew, lean=lean)
     if half_breadth_px is None and scale is None:
         raise PictureError(
             f"{name}: no ship's side found beside the centre line; give metres_per_px in [body_plan.calibration]"
         )
     rough = scale or breadth_m / 2 / (half_breadth_px or 1.0)
-    grid = None
-    if centre is not None and base is not None:
-        across = np.array([crossing(line, base)[0] - origin[0] for line in vertical])
-        up = np.array([origin[1] - crossing(centre, line)[1] for line in horizontal])
-        grid = find_grid(*_without_perspective(across, up, horizontal, vertical), rough, breadth_m)
+    # distances along base line and centre line as they were before a camera leaned
+    grid = find_grid(across / (1 - lean * across), up / (1 - lean_up * up), rough, breadth_m, bool(lean or lean_up))
     anything_given = any(value is not None for value in (u0, v0, scale)) or (
         given is not None and given.rotation_deg is not None
     )
@@ -129,7 +132,7 @@ def calibrate(
             words.append("no regular grid; scale of the breadth between the outermost lines")
         calibration = similarity(origin, scale, skew, 0.0, "; ".join(words))
     if half_breadth_px is not None:
-        measured = breadth_m / 2 * half_breadth_px / _reach_px(calibration, breadth_m / 2)
+        measured = half_breadth_px * calibration.metres_per_px
         # the outermost ink is a line's edge, up to three pixels beyond its axis
         if abs(measured / (breadth_m / 2) - 1) > LARGEST_DISAGREEMENT + 3 / half_breadth_px:
             doubts.append(
@@ -141,29 +144,12 @@ def calibrate(
     return CalibratedSheet(calibration, grid_m, frame, (f"calibration: {calibration.source}",), tuple(doubts))
 
 
-def _reach_px(calibration: Calibration, half_breadth_m: float) -> float:
-    """Distance in px along the base line from the centre line to the further side of the ship."""
-    matrix = np.array(calibration.pixel_from_metres)
-    ends = matrix @ np.array([[-half_breadth_m, 0.0, half_breadth_m], [0.0, 0.0, 0.0], [1.0, 1.0, 1.0]])
-    left, centre, right = ends[0] / ends[2]
-    return float(max(centre - left, right - centre))
-
-
-def _without_perspective(
-    across: Array, up: Array, horizontal: Sequence[StraightLine], vertical: Sequence[StraightLine]
-) -> tuple[Array, Array]:
-    """Distances along base line and centre line as they were before a camera leaned.
+def _convergence(places: Array, lines: Sequence[StraightLine]) -> float:
+    """Change of a family's slopes per px, the median over pairs of lines; 0 where it is too small to matter.
 
     With u = k y / (1 + p y + r z) and v likewise, horizontal lines have the slopes p z and vertical ones r y, while
-    k y = d / (1 - d p / k) at a distance d along the base line.
+    k y = d / (1 - d p / k) at a distance d along the base line: p / k is the change of the horizontal lines' slopes.
     """
-    lean_across = _convergence(up, horizontal)
-    lean_up = _convergence(across, vertical)
-    return across / (1 - lean_across * across), up / (1 - lean_up * up)
-
-
-def _convergence(places: Array, lines: Sequence[StraightLine]) -> float:
-    """Change of a family's slopes per px, the median over pairs of lines; 0 where it is too small to matter."""
     if len(lines) < FEWEST_LINES:
         return 0.0
     slopes = np.array([line.slope for line in lines])
@@ -184,8 +170,11 @@ def _centre_line(horizontal: Sequence[StraightLine], vertical: Sequence[Straight
     if not vertical:
         return None
     if horizontal:
-        middle = float(np.median([(line.start + line.end) / 2 for line in horizontal]))
-        breadth = float(np.median([line.length for line in horizontal]))
+        # flat bottoms are level lines too, but end at the centre line
+        longest = max(line.length for line in horizontal)
+        whole = [line for line in horizontal if line.length > WHOLE_LINE * longest]
+        middle = float(np.median([(line.start + line.end) / 2 for line in whole]))
+        breadth = float(np.median([line.length for line in whole]))
         v = float(np.median([line.at(middle) for line in horizontal]))
     else:
         v = float(np.mean([(line.start + line.end) / 2 for line in vertical]))

@@ -46,6 +46,15 @@ class Links:
     cost: Array
     least: Indices
 
+    def with_others(self, source: Indices, target: Indices, cost: Array) -> Links:
+        """These links, then others that no curve must go."""
+        return Links(
+            np.append(self.source, source),
+            np.append(self.target, target),
+            np.append(self.cost, cost),
+            np.append(self.least, np.zeros(len(source), dtype=np.int64)),
+        )
+
 
 @dataclass(frozen=True)
 class Constraints:
@@ -67,12 +76,8 @@ class Constraints:
 
     def of_links(self, tracklets: Sequence[Tracklet], source: Indices, target: Indices, cost: Array) -> Links:
         """The links that are left, with those that were made."""
-        good = np.ones(len(source), dtype=np.bool_)
         ends, starts = [end_of(t) for t in tracklets], [start_of(t) for t in tracklets]
-        if self.cuts:
-            from_at, to_at = np.array(ends)[source], np.array(starts)[target]
-            for place in self.cuts:
-                good &= _distance_to_segments(np.array(place), from_at, to_at) > CLEARANCE_PX
+        good = self.passable(np.array(ends)[source], np.array(starts)[target])
         ending, starting = ({place: number for number, place in enumerate(places)} for places in (ends, starts))
         made: dict[tuple[int, int], int] = {}
         for crossing in self.crossings:
@@ -90,6 +95,13 @@ class Constraints:
             np.append(cost[good], np.zeros(len(pairs))),
             np.append(np.zeros(int(good.sum()), dtype=np.int64), np.array(list(made.values()), dtype=np.int64)),
         )
+
+    def passable(self, start: Array, end: Array) -> NDArray[np.bool_]:
+        """Which straight links from (n, 2) places to others pass no cut."""
+        good = np.ones(len(start), dtype=np.bool_)
+        for place in self.cuts:
+            good &= _distance_to_segments(np.array(place), start, end) > CLEARANCE_PX
+        return good
 
     def at_ends(self, cost: Array, places: Sequence[Place], scale: float) -> Array:
         """Costs of beginning or ending at places, little where a person cut a line."""

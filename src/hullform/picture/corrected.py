@@ -14,6 +14,7 @@ from hullform.corrections import DeckEdge, Ignored
 from hullform.picture.half import HalfInk, pieces_of_curve
 from hullform.picture.placing import Placed
 from hullform.picture.sheer import SheerLine
+from hullform.picture.turning_edits import without_ignored
 
 Array = NDArray[np.float64]
 
@@ -25,6 +26,7 @@ def correct_ink(prepared: HalfInk, placed: Sequence[Placed]) -> tuple[HalfInk, s
     """A half without what is to be ignored and with the deck edge as drawn; ids of the corrections that did it."""
     heeded: set[str] = set()
     ink, peaks, sheer, flank = prepared.ink, prepared.peaks, prepared.sheer, None
+    turning = prepared.turning
     for item in placed:
         correction = item.correction
         if isinstance(correction, Ignored):
@@ -32,7 +34,8 @@ def correct_ink(prepared: HalfInk, placed: Sequence[Placed]) -> tuple[HalfInk, s
             cv2.fillPoly(outline, [np.round(item.at).astype(np.int32)], 1)
             row = np.clip(np.round(peaks.row).astype(np.int64), 0, ink.shape[0] - 1)
             inside = outline[row, peaks.column] > 0
-            if inside.any():
+            before, turning = len(turning.pieces), without_ignored(turning, outline)
+            if inside.any() or len(turning.pieces) < before:
                 heeded.add(correction.id)
                 peaks, ink = peaks.chosen(~inside), np.asarray(np.where(outline > 0, 0, ink), dtype=np.float32)
         elif isinstance(correction, DeckEdge) and (drawn := _deck_edge(item.yz, prepared.frame.half_breadth_px)):
@@ -40,7 +43,7 @@ def correct_ink(prepared: HalfInk, placed: Sequence[Placed]) -> tuple[HalfInk, s
             sheer, flank = drawn, DRAWN_FLANK_PX
     if not heeded:
         return prepared, heeded
-    corrected = replace(prepared, ink=ink, peaks=peaks, sheer=sheer)
+    corrected = replace(prepared, ink=ink, peaks=peaks, sheer=sheer, turning=turning)
     return replace(corrected, tracklets=pieces_of_curve(corrected, flank)), heeded
 
 

@@ -42,6 +42,14 @@ class Ends:
         column = np.array([float(t.column[-1 if last else 0]) for t in tracklets])
         return cls(column, np.array([f[0] for f in fits]), np.array([f[1] for f in fits]))
 
+    def with_others(self, others: Ends) -> Ends:
+        """These ends, then the others."""
+        return Ends(
+            np.concatenate([self.column, others.column]),
+            np.concatenate([self.row, others.row]),
+            np.concatenate([self.slope, others.slope]),
+        )
+
 
 def _end_fit(column: Indices, row: Array, last: bool) -> tuple[float, float]:
     size = min(len(column), 22)

@@ -16,6 +16,7 @@ from hullform.picture.ink import Ink
 from hullform.picture.lines import VERTICAL, Mask
 from hullform.picture.sheer import SheerLine
 from hullform.picture.smoothing import WEIGHT_OF_SHARED, Trace
+from hullform.picture.winding import closed
 
 Array = NDArray[np.float64]
 Deck = Callable[[Array | float], Array]
@@ -70,6 +71,12 @@ def finish(
     return _up_the_side(y, z, size, min(side_top_px, np.inf if deck is None else deck))
 
 
+def finish_contour(trace: Trace, frame: DiagonalFrame) -> tuple[Array, Array]:
+    """(y, z) of a contour that comes back to the centre line, in px of the drawing, from its lower end."""
+    y, z = _lower_end(*frame.to_drawing(trace.column, trace.row), frame.half_breadth_px)
+    return closed(y, z, frame.half_breadth_px)
+
+
 def _visible_part(trace: Trace, frame: DiagonalFrame) -> tuple[Array, Array]:
     """Cut a merged ribbon off the foot where the curve stands alone close to the axis: continuing it is better."""
     alone = np.flatnonzero(trace.weight > WEIGHT_OF_SHARED)
@@ -117,6 +124,8 @@ def _continued(t: Array, n: Array, level: float, farthest: float) -> tuple[Array
 
 def _lower_end(y: Array, z: Array, size: float) -> tuple[Array, Array]:
     reach = NEAR_AXIS * size
+    if z[0] < -NEAR_KEEL * size:
+        return _on_centre_below(y, z, size)
     if min(y[0], z[0]) > reach:
         return y, z
     arc = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
@@ -146,6 +155,13 @@ def _lower_end(y: Array, z: Array, size: float) -> tuple[Array, Array]:
     if np.hypot(y[0], z[0]) < NEAR_KEEL * size:
         y[0] = z[0] = 0.0
     return np.maximum(y, 0.0), np.maximum(z, 0.0)
+
+
+def _on_centre_below(y: Array, z: Array, size: float) -> tuple[Array, Array]:
+    """A contour that begins below the base line begins on the centre line there, level."""
+    if y[0] > NEAR_AXIS * size:
+        return y, z
+    return np.append(0.0, np.maximum(y, 0.0)), np.append(z[0], z)
 
 
 def _deck_over(

@@ -15,22 +15,31 @@ from numpy.typing import NDArray
 from scipy.optimize import linprog
 from scipy.sparse import coo_matrix
 
+from hullform.picture.bends import find_bends, walking_order
 from hullform.picture.constraints import UNCONSTRAINED, Constraints, Links
 from hullform.picture.ends import STEEPEST, Ends, entry_cost, exit_cost
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
+from hullform.picture.joints import (
+    COST_OF_BEND,
+    COST_OF_DETOUR,
+    COST_OF_HIDDEN,
+    COST_OF_KNUCKLE,
+    COST_OF_MISS,
+    COST_OF_PAPER,
+    DEAREST_LINK,
+    LONGEST_GAP,
+)
 from hullform.picture.line_edits import end_of, start_of
 from hullform.picture.lines import Mask
 from hullform.picture.ridges import Tracklet
+from hullform.picture.turning import NOTHING_TURNS, Turning
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 REFERENCE_PX = 800.0  # per B/2: the costs below are for a drawing of this size and scale with it
-LONGEST_GAP = 0.09  # of B/2
 COST_OF_CURVE = 45.0  # what a curve must gather: half of the shortest station that is drawn, twice a label's stroke
-DEAREST_LINK = 120.0
-COST_OF_KNUCKLE = 25.0
 MARGIN_OF_ORDER = 0.02  # of B/2: starts nearer than this to an axis lie on it
 REWARD_OF_MARK = 1500.0  # for the tracklet under a user's mark
 MOST_UNLISTED = 8  # curves beyond the listed stations that are looked for
@@ -39,7 +48,11 @@ LEAST_GAIN_UNLISTED = 20.0  # of each of them, px of ink: half of the shortest s
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """One curve: its tracklets from keel to deck, and what its ends cost (px of ink)."""
+    """One curve: its tracklets from keel to deck, and what its ends cost (px of ink).
+
+    With n tracklets along the frame and m pieces across it, numbers from n are pieces walked inboard and up, numbers
+    from n + m the same pieces walked outboard and down.
+    """
 
     tracklets: tuple[int, ...]
     end_cost: float
@@ -56,6 +69,7 @@ def find_paths(
     marks: tuple[tuple[float, float], ...] = (),
     side_top_px: float | None = None,
     constraints: Constraints = UNCONSTRAINED,
+    turning: Turning = NOTHING_TURNS,
 ) -> tuple[list[Path], int]:
     """The curves of one half, each worth more than it costs, and how many of them are more than `most`.
 
@@ -69,6 +83,7 @@ def find_paths(
         marks: (column, row) of points that a user put on curves.
         side_top_px: height to which the line of B/2 is drawn by stations, or None where none runs along it.
         constraints: what the user says of links, ends and shared lines.
+        turning: pieces that lean back, walked across the frame.
 
     Returns:
         the curves, and by how many they are more than listed; further ones must gain as a station does.
@@ -82,18 +97,27 @@ def find_paths(
     entry += COST_OF_CURVE * scale
     leave = exit_cost(last, ink, frame, top_px, side_top_px, scale)
     leave = constraints.at_ends(leave, [end_of(t) for t in tracklets], scale)
-    length = np.array([len(t.column) for t in tracklets], dtype=np.float64)
-    strength = np.array([float(t.strength.mean()) for t in tracklets])
-    reward = -length * np.minimum(1.0, strength / 0.5)
-    width = np.array([float(np.median(t.width)) for t in tracklets])
-    spare = np.clip(1.0 - 2.0 * np.clip(width / width_px - 1.0, 0.0, 4.0), 0.0, 1.0)
-    share = length * (0.02 + 0.4 * spare) + 0.5
+    reward, share = _worth(tracklets, width_px)
     share[constraints.shared(tracklets, links)] = 0.0
     for index in _marked(tracklets, marks):
         reward[index] -= REWARD_OF_MARK * scale
+    if turning.pieces:
+        bends = find_bends(tracklets, first, last, turning, mask, frame, scale)
+        gain, again = _worth(turning.pieces, width_px)
+        for index in _marked(turning.pieces, tuple((row, turning.rows - 1.0 - column) for column, row in marks)):
+            gain[index] -= REWARD_OF_MARK * scale
+        reward, share = np.concatenate([reward, gain, gain]), np.concatenate([share, again, again])
+        entry = np.concatenate([entry, bends.entry + COST_OF_CURVE * scale])
+        leave = np.concatenate([leave, bends.leave])
+        first, last = first.with_others(bends.first), last.with_others(bends.last)
+        passable = constraints.passable(
+            np.column_stack([last.column, last.row])[bends.source],
+            np.column_stack([first.column, first.row])[bends.target],
+        )
+        links = links.with_others(bends.source[passable], bends.target[passable], bends.cost[passable])
 
     def solve(units: int) -> Flow | None:
-        return _solve(reward, share, links, entry, leave, units)
+        return _solve(reward, share, links, entry, leave, units, len(turning.pieces))
 
     flow, unlisted = solve(most), 0
     while flow is None and unlisted < MOST_UNLISTED:  # more lines are to be joined than there are stations
@@ -108,7 +132,7 @@ def find_paths(
                 break
             unlisted, before = unlisted + 1, further
         flow = before
-    walks = _decompose(tracklets, first, last, frame, links, flow)
+    walks = _decompose(first, last, frame, links, flow)
     ends = [float(entry[walk[0]] - COST_OF_CURVE * scale + leave[walk[-1]]) / scale for walk in walks]
     return [Path(tuple(walk), cost) for walk, cost in zip(walks, ends, strict=True)], unlisted
 
@@ -126,6 +150,15 @@ class Flow:
     def units(self) -> int:
         """Number of curves."""
         return int(self.entries.sum())
+
+
+def _worth(tracklets: list[Tracklet], width_px: float) -> tuple[Array, Array]:
+    """What the first curve gains on each tracklet (negative: it pays), and what every further one pays."""
+    length = np.array([len(t.column) for t in tracklets], dtype=np.float64)
+    strength = np.array([float(t.strength.mean()) for t in tracklets])
+    width = np.array([float(np.median(t.width)) for t in tracklets])
+    spare = np.clip(1.0 - 2.0 * np.clip(width / width_px - 1.0, 0.0, 4.0), 0.0, 1.0)
+    return -length * np.minimum(1.0, strength / 0.5), length * (0.02 + 0.4 * spare) + 0.5
 
 
 def _marked(tracklets: list[Tracklet], marks: tuple[tuple[float, float], ...]) -> list[int]:
@@ -168,7 +201,8 @@ def _links(
     columns = np.clip(np.round(last.column[source][:, None] + span[:, None] * steps), 0, mask.shape[1] - 1)
     rows = np.clip(np.round(from_row[:, None] + (to_row - from_row)[:, None] * steps), 0, mask.shape[0] - 1)
     hidden = np.where(span > 3, (mask[rows.astype(np.int64), columns.astype(np.int64)] > 0).mean(axis=1), 1.0)
-    cost = 2.2 * miss / (1 + 0.03 * span) + certain * (28 * bend + 22 * detour) + span * (0.8 - 0.55 * hidden)
+    cost = COST_OF_MISS * miss / (1 + 0.03 * span) + certain * (COST_OF_BEND * bend + COST_OF_DETOUR * detour)
+    cost += span * (COST_OF_PAPER - (COST_OF_PAPER - COST_OF_HIDDEN) * hidden)
     # a knuckle: the two extrapolations meet inside the gap
     turn = to_slope - from_slope
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -181,8 +215,13 @@ def _links(
     return source[good].astype(np.int64), target[good].astype(np.int64), cost[good]
 
 
-def _solve(reward: Array, share: Array, passed: Links, entry: Array, leave: Array, most: int) -> Flow | None:
-    """The cheapest flow of at most `most` units; None where the links that must be passed need more."""
+def _solve(
+    reward: Array, share: Array, passed: Links, entry: Array, leave: Array, most: int, twins: int = 0
+) -> Flow | None:
+    """The cheapest flow of at most `most` units; None where the links that must be passed need more.
+
+    The last 2 * `twins` nodes are pieces walked one way, then the same pieces walked the other way: each is used once.
+    """
     n, m = len(reward), len(passed.cost)
     source, target = passed.source, passed.target
     cost = np.concatenate([reward, share, passed.cost, entry, leave])
@@ -206,11 +245,14 @@ def _solve(reward: Array, share: Array, passed: Links, entry: Array, leave: Arra
     )
     signs = np.concatenate([np.ones(m + n), -np.ones(2 * n), np.ones(m + n), -np.ones(2 * n)])
     balance = coo_matrix((signs, (rows, columns)), shape=(2 * n, len(cost))).tocsr()
-    units = coo_matrix((np.ones(n), (np.zeros(n, dtype=np.int64), entries + node)), shape=(1, len(cost))).tocsr()
+    pair = np.arange(twins)
+    bounded_rows = np.concatenate([np.zeros(n, dtype=np.int64), 1 + pair, 1 + pair])
+    bounded_columns = np.concatenate([entries + node, n - 2 * twins + pair, n - twins + pair])
+    bounded = coo_matrix((np.ones(n + 2 * twins), (bounded_rows, bounded_columns)), shape=(1 + twins, len(cost)))
     result = linprog(  # type: ignore[call-overload]  # the stubs know no sparse matrices
         cost,
-        A_ub=units,
-        b_ub=[most],
+        A_ub=bounded.tocsr(),
+        b_ub=np.concatenate([[float(most)], np.ones(twins)]),
         A_eq=balance,
         b_eq=np.zeros(2 * n),
         bounds=np.column_stack([lower, upper]),
@@ -222,16 +264,9 @@ def _solve(reward: Array, share: Array, passed: Links, entry: Array, leave: Arra
     return Flow(x[links:entries], x[entries:exits], x[exits:], float(result.fun))
 
 
-def _decompose(
-    tracklets: list[Tracklet],
-    first: Ends,
-    last: Ends,
-    frame: DiagonalFrame,
-    links: Links,
-    flow: Flow,
-) -> list[list[int]]:
+def _decompose(first: Ends, last: Ends, frame: DiagonalFrame, links: Links, flow: Flow) -> list[list[int]]:
     """Single curves out of the flow; where several share a tracklet they keep their order from the centre outwards."""
-    n = len(tracklets)
+    n = len(first.column)
     outgoing: list[list[int]] = [[] for _ in range(n)]
     for index in np.flatnonzero(flow.links > 0).tolist():
         outgoing[links.source[index]] += [int(links.target[index])] * int(flow.links[index])
@@ -239,7 +274,8 @@ def _decompose(
     edge = MARGIN_OF_ORDER * frame.half_breadth_px
     paths: list[list[int]] = []
     arriving: list[list[tuple[float, int]]] = [[] for _ in range(n)]
-    for node in np.lexsort((last.column, first.column)).tolist():
+    used = flow.links > 0
+    for node in walking_order(np.lexsort((last.column, first.column)), links.source[used], links.target[used]):
         here = arriving[node]
         for _ in range(int(flow.entries[node])):
             # a curve that starts on the centre line lies inside, one from the base line outside

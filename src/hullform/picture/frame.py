@@ -32,6 +32,7 @@ class DiagonalFrame:
         metres_per_px: of the picture.
         half_breadth_px: B/2 in px.
         top_px: highest z of the frame, px above the base line.
+        bottom_px: lowest z, 0 or below.
     """
 
     pixel_from_metres: Array
@@ -39,6 +40,7 @@ class DiagonalFrame:
     metres_per_px: float
     half_breadth_px: float
     top_px: float
+    bottom_px: float = 0.0
 
     @classmethod
     def of(cls, calibration: Calibration, side: int, breadth_m: float, top_m: float) -> DiagonalFrame:
@@ -49,21 +51,25 @@ class DiagonalFrame:
     @property
     def shape(self) -> tuple[int, int]:
         """(rows, columns)."""
-        margin = MARGIN * self.half_breadth_px
-        columns = (OVERHANG * self.half_breadth_px + self.top_px) / ROOT_TWO + 2 * margin
-        rows = (OVERHANG * self.half_breadth_px + self.top_px) / ROOT_TWO + 2 * margin
-        return int(rows), int(columns)
+        extent = OVERHANG * self.half_breadth_px + self.top_px - self.bottom_px
+        size = int(extent / ROOT_TWO + 2 * MARGIN * self.half_breadth_px)
+        return size, size
+
+    @property
+    def _before_keel_px(self) -> float:
+        """Columns before that of the keel point."""
+        return MARGIN * self.half_breadth_px - self.bottom_px / ROOT_TWO
 
     def to_drawing(self, column: Array, row: Array) -> tuple[Array, Array]:
         """(y, z) in px of the drawing."""
-        along = np.asarray(column, dtype=np.float64) - MARGIN * self.half_breadth_px
+        along = np.asarray(column, dtype=np.float64) - self._before_keel_px
         across = np.asarray(row, dtype=np.float64) - self.top_px / ROOT_TWO
         return (along + across) / ROOT_TWO, (along - across) / ROOT_TWO
 
     def from_drawing(self, y: Array | float, z: Array | float) -> tuple[Array, Array]:
         """(column, row) of points of the drawing in px."""
         y, z = np.asarray(y, dtype=np.float64), np.asarray(z, dtype=np.float64)
-        return (y + z) / ROOT_TWO + MARGIN * self.half_breadth_px, (y - z) / ROOT_TWO + self.top_px / ROOT_TWO
+        return (y + z) / ROOT_TWO + self._before_keel_px, (y - z) / ROOT_TWO + self.top_px / ROOT_TWO
 
     def to_picture(self, y: Array, z: Array) -> tuple[Array, Array]:
         """Picture pixels (u, v) of points of the drawing in px."""
@@ -85,7 +91,7 @@ class DiagonalFrame:
 
     def _warped(self, image: Ink | NDArray[np.uint8], how: int) -> NDArray[np.generic]:
         rows, columns = self.shape
-        margin, drop = MARGIN * self.half_breadth_px, self.top_px / ROOT_TWO
+        margin, drop = self._before_keel_px, self.top_px / ROOT_TWO
         to_drawing = np.array([[1.0, 1.0, -margin - drop], [1.0, -1.0, drop - margin], [0.0, 0.0, ROOT_TWO]]) / ROOT_TWO
         to_metres = np.diag([self.side * self.metres_per_px, self.metres_per_px, 1.0])
         matrix = self.pixel_from_metres @ to_metres @ to_drawing

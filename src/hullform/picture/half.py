@@ -15,13 +15,15 @@ from numpy.typing import NDArray
 from hullform.body_plan import Half
 from hullform.corrections import Drawn, Knuckle
 from hullform.picture.constraints import constrain
-from hullform.picture.finishing import finish
+from hullform.picture.dome import find_dome, only_contours
+from hullform.picture.finishing import finish, finish_contour
 from hullform.picture.flow import find_paths
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.hand_drawn import course, rank_among, without_ink_of
 from hullform.picture.ink import Ink
 from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
 from hullform.picture.placing import REACH, Placed
+from hullform.picture.resampling import evenly
 from hullform.picture.ridges import (
     Peaks,
     Tracklet,
@@ -34,6 +36,9 @@ from hullform.picture.ridges import (
 from hullform.picture.sheer import SheerLine, find_sheer
 from hullform.picture.side import top_of_side
 from hullform.picture.smoothing import Trace, smooth_traces
+from hullform.picture.turning import NOTHING_TURNS, Turning, find_turning
+from hullform.picture.turning_edits import without_deleted, without_ink_of_drawn
+from hullform.picture.winding import Pieces, ends_at_centre
 
 Array = NDArray[np.float64]
 
@@ -42,10 +47,16 @@ FLAT_SLOPE = 0.6  # db/da of a ridge within 14 degrees of level
 DECK_ZONE = 0.84  # of the depth: without a sheer line found, level ridges above it are taken for the deck
 LEVEL_SLOPE = 0.8
 NEAR_DEPTH = 0.12  # of the depth: a side drawn so high goes to the depth, by its meaning; lower, the deck is stepped
-POINT_SPACING_PX = 2.0  # along a traced curve
 SHORTEST_UNUSED_PX = 12  # of a line that is shown as one that no curve took
-NO_CORNERS: Array = np.zeros((0, 2))
 HIDDEN_BY_GRID = 0.7  # share of a curve that can be seen through a close grid: more missing counts against it
+
+
+@dataclass(frozen=True, eq=False)
+class Loop:
+    """A contour that comes back to the centre line: (n, 2) [y, z], px of the drawing, and the confidence 0..1 in it."""
+
+    points: Array
+    confidence: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,6 +68,7 @@ class HalfReading:
         confidences: 0..1 of each.
         sheer: the deck edge, or None where none was found.
         unlisted: by how many the curves are more than the stations that are listed.
+        loops: contours that come back to the centre line, from the innermost outwards.
         drawn: which of the curves were drawn by hand, and the station of each, m.
         second_contours: station, m, and points as in `curves` of second contours drawn by hand.
         unused: (n, 2) [y, z] of lines that no curve took.
@@ -70,6 +82,7 @@ class HalfReading:
     sheer: SheerLine | None
     line_width_px: float
     unlisted: int = 0
+    loops: tuple[Loop, ...] = ()
     drawn: tuple[tuple[int, float], ...] = ()
     second_contours: tuple[tuple[float, Array], ...] = ()
     unused: tuple[Array, ...] = ()
@@ -90,7 +103,8 @@ class HalfInk:
         deck_level_px: height of a level deck line at the depth, or None where none is drawn.
         side_top_px: height to which stations run along the line of B/2, or None where none does.
         sheer: the deck edge, or None where none was found.
-        peaks: of the ridges that may be curves; `tracklets`: pieces of curve, of the peaks below the deck edge.
+        peaks: of the ridges that may be curves; `tracklets`: pieces of curve, of the peaks below the deck edge;
+            `turning`: pieces that lean back.
     """
 
     half: Half
@@ -105,6 +119,7 @@ class HalfInk:
     sheer: SheerLine | None
     peaks: Peaks
     tracklets: list[Tracklet]
+    turning: Turning = NOTHING_TURNS
 
 
 def prepare_half(
@@ -114,13 +129,17 @@ def prepare_half(
 
     Args:
         half: which.
-        frame: its diagonal frame.
+        frame: its diagonal frame; it is made to reach down to contours below the base line.
         ink: of the picture; bare: the same, its long lines taken off; mask: where they lay.
         depth_px: depth at side.
         deck_line: whether a level line is drawn at the depth.
     """
     here = frame.sample(bare)
     width = line_width(here)
+    dome = find_dome(bare, frame)
+    if dome.depth_px > 0:
+        frame = replace(frame, bottom_px=-dome.depth_px)
+        here = only_contours(frame.sample(bare), frame, dome)
     hidden = _widened(frame.sample_mask(mask), width)
     side_top = top_of_side(ink, frame, width)
     if side_top is not None and abs(side_top / depth_px - 1) < NEAR_DEPTH:
@@ -132,7 +151,8 @@ def prepare_half(
     prepared = HalfInk(half, frame, here, hidden, width, width, depth_px, level, side_top, sheer, peaks, [])
     tracklets = pieces_of_curve(prepared)
     single = float(np.percentile(np.concatenate([t.width for t in tracklets]), 35)) if tracklets else width
-    return replace(prepared, single_px=single, tracklets=tracklets)
+    prepared = replace(prepared, single_px=single, tracklets=tracklets)
+    return replace(prepared, turning=_pieces_that_turn(prepared))
 
 
 def pieces_of_curve(prepared: HalfInk, flank_px: float | None = None) -> list[Tracklet]:
@@ -155,6 +175,19 @@ def pieces_of_curve(prepared: HalfInk, flank_px: float | None = None) -> list[Tr
     return without_hair_lines(find_tracklets(peaks.chosen(~(on_deck | above))))
 
 
+def _pieces_that_turn(prepared: HalfInk) -> Turning:
+    sheer, depth_px = prepared.sheer, prepared.depth_px
+
+    def ceiling(half_breadth: Array) -> Array:
+        if sheer is not None:
+            return sheer.at(half_breadth) - SHEER_FLANK_PX
+        return np.full(np.shape(half_breadth), DECK_ZONE * depth_px)
+
+    return find_turning(
+        prepared.ink, prepared.hidden, prepared.tracklets, prepared.frame, prepared.line_width_px, depth_px, ceiling
+    )
+
+
 def trace_half(
     prepared: HalfInk,
     most: int,
@@ -171,12 +204,14 @@ def trace_half(
     """
     here, frame, sheer, tracklets = prepared.ink, prepared.frame, prepared.sheer, prepared.tracklets
     side_top, width, size = prepared.side_top_px, prepared.line_width_px, prepared.frame.half_breadth_px
+    turning, placed = without_deleted(prepared.turning, tracklets, placed, size)
     by_hand = {}
     for item in placed:
         if isinstance(item.correction, Drawn):
             curve = course(item.yz, item.correction.smooth, size)
             by_hand[item.correction.curve, item.correction.station_m] = curve
             tracklets = without_ink_of(curve, tracklets, frame, prepared.single_px)
+            turning = without_ink_of_drawn(turning, curve, frame)
     tracklets, constraints, unheeded = constrain(tracklets, placed, size)
     whole = sorted((station, curve) for (number, station), curve in by_hand.items() if number == 0)
     ends = np.array([(t.column[-1], t.row[-1]) for t in tracklets], dtype=np.float64).reshape(-1, 2)
@@ -194,9 +229,18 @@ def trace_half(
         seeds,
         side_top,
         constraints,
+        turning,
     )
     knuckles = [item for item in placed if isinstance(item.correction, Knuckle)]
-    traces = smooth_traces(paths, tracklets, prepared.single_px, frame, [tuple(item.at[0]) for item in knuckles])
+    pieces = Pieces(tracklets, turning)
+    every = smooth_traces(paths, pieces, prepared.single_px, frame, [tuple(item.at[0]) for item in knuckles])
+    closed = [t.winds and ends_at_centre(frame.to_drawing(t.column, t.row)[0], size) for t in every]
+    traces = [trace for trace, loop in zip(every, closed, strict=True) if not loop]
+    loops = tuple(
+        Loop(evenly(np.column_stack(finish_contour(trace, frame))), _confidence(trace))
+        for trace, loop in zip(every, closed, strict=True)
+        if loop
+    )
     corners = [np.array(trace.corners).reshape(-1, 2) for trace in traces]
     unheeded += [
         item.correction.id
@@ -205,7 +249,7 @@ def trace_half(
     ]
     level = prepared.deck_level_px
     curves = [
-        _evenly(
+        evenly(
             np.column_stack(finish(trace, frame, here, prepared.hidden, sheer, level, side_top)),
             np.column_stack(frame.to_drawing(at[:, 0], at[:, 1])),
         )
@@ -216,16 +260,13 @@ def trace_half(
     drawn: list[tuple[int, float]] = []
     for station, curve in whole if prepared.half == "aft" else whole[::-1]:
         rank = max(rank_among(curve, curves, frame), drawn[-1][0] + 1 if drawn else 0)
-        curves.insert(rank, _evenly(curve))
+        curves.insert(rank, evenly(curve))
         confidences.insert(rank, 1.0)
         drawn.append((rank, station))
-    taken = {piece for path in paths for piece in path.tracklets}
     unused = tuple(
-        np.column_stack(frame.to_drawing(t.column.astype(np.float64), t.row))
-        for number, t in enumerate(tracklets)
-        if number not in taken and len(t.column) >= SHORTEST_UNUSED_PX
+        np.column_stack(frame.to_drawing(*line)) for line in pieces.unused(paths) if len(line[0]) >= SHORTEST_UNUSED_PX
     )
-    second = tuple((station, _evenly(curve)) for (number, station), curve in by_hand.items() if number == 1)
+    second = tuple((station, evenly(curve)) for (number, station), curve in by_hand.items() if number == 1)
     return HalfReading(
         prepared.half,
         frame,
@@ -233,7 +274,8 @@ def trace_half(
         tuple(confidences),
         sheer,
         width,
-        unlisted,
+        max(0, unlisted - len(loops)),
+        loops,
         tuple(drawn),
         second,
         unused,
@@ -254,15 +296,3 @@ def _confidence(trace: Trace) -> float:
     alone = 0.5 + 0.5 * min(1.0, trace.own / 0.5)
     seen = min(1.0, trace.visible / HIDDEN_BY_GRID)
     return float(np.clip(seen * alone * np.exp(-max(trace.end_cost, 0.0) / 200.0), 0.0, 1.0))
-
-
-def _evenly(points: Array, corners: Array = NO_CORNERS) -> Array:
-    """The curve at even steps of arc length, its ends and corners kept."""
-    arc = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
-    keep = np.concatenate([[True], np.diff(arc) > 1e-9])
-    at = np.linspace(0.0, arc[-1], max(3, round(arc[-1] / POINT_SPACING_PX) + 1))
-    for corner in corners:
-        away = np.hypot(*(points - corner).T)
-        if away.min() < POINT_SPACING_PX:
-            at = np.unique(np.append(at, arc[np.argmin(away)]))
-    return np.column_stack([np.interp(at, arc[keep], points[keep, k]) for k in (0, 1)])

@@ -56,19 +56,27 @@ def without_ink_of(
     curve: Array, tracklets: Sequence[Tracklet], frame: DiagonalFrame, width_px: float
 ) -> list[Tracklet]:
     """The tracklets that do not lie on a drawn curve, and those that do but hold another line beside it."""
-    if not tracklets:
-        return []
+    lines = [np.column_stack([t.column, t.row]) for t in tracklets]
+    taken = _on(curve, lines, [float(np.median(t.width)) for t in tracklets], frame, width_px)
+    return [t for t, gone in zip(tracklets, taken, strict=True) if not gone]
+
+
+def _on(
+    curve: Array, lines: Sequence[Array], widths: Sequence[float], frame: DiagonalFrame, width_px: float
+) -> NDArray[np.bool_]:
+    """Which lines, (n, 2) [column, row] each, lie on a curve for the most part and are no wider than one line."""
+    if not lines:
+        return np.zeros(0, dtype=np.bool_)
     on_line = max(ON_LINE_PX, ON_LINE * frame.half_breadth_px)
     line = np.column_stack(frame.from_drawing(curve[:, 0], curve[:, 1]))
-    points = np.vstack([np.column_stack([t.column, t.row]) for t in tracklets])
-    owner = np.repeat(np.arange(len(tracklets)), [len(t.column) for t in tracklets])
+    points = np.vstack(lines)
+    owner = np.repeat(np.arange(len(lines)), [len(other) for other in lines])
     near = KDTree(line).query(points, distance_upper_bound=on_line)[0] < np.inf
     distance, nearest = (np.asarray(found) for found in KDTree(points).query(line, distance_upper_bound=on_line))
-    nearest_of = np.bincount(owner[nearest[distance < np.inf]], minlength=len(tracklets)) * STEP_PX
+    nearest_of = np.bincount(owner[nearest[distance < np.inf]], minlength=len(lines)) * STEP_PX
     length = np.bincount(owner)
     taken = (np.bincount(owner, near) >= SHARE_OF_TRACKLET * length) & (nearest_of >= SHARE_OF_CURVE * length)
-    wide = np.array([float(np.median(t.width)) for t in tracklets]) > ROOM_FOR_ANOTHER * width_px
-    return [t for t, gone in zip(tracklets, taken & ~wide, strict=True) if not gone]
+    return np.asarray(taken & (np.array(widths) <= ROOM_FOR_ANOTHER * width_px))
 
 
 def rank_among(curve: Array, others: Sequence[Array], frame: DiagonalFrame) -> int:

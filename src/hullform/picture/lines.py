@@ -27,8 +27,9 @@ LEAST_FAMILY_LENGTH = 0.72  # of the longest lines of the family: shorter ones a
 LARGEST_SLOPE_SPREAD = 0.0022  # between the lines of a family (0.13 deg): curves that look straight differ more
 LARGEST_CONVERGENCE = 0.06  # change of slope of a family across the picture, where a camera leaned
 CONVERGENCE_STEP = 0.002  # between the slopes at which such a family is looked for
-CONVERGENCE_GAIN = 1.5  # lines more, that a convergent family must hold to be believed
-BORDER_TOLERANCE = 0.015  # of the picture's width: how nearly the lines of a border meet at its corners
+CONVERGENCE_GAIN = 0.8  # lines more, that a convergent family must hold to be believed
+BORDER_TOLERANCE = 0.015  # of the picture's width: how nearly the lines of a border meet
+FEWEST_INSIDE = 3  # upright lines, beside which two longer ones may be a border
 BORDER_LONGER = 1.03  # than any other line of its family
 VERTICAL, HORIZONTAL = 1, 2  # bits of the mask
 
@@ -94,9 +95,11 @@ def find_lines(ink: Ink) -> tuple[list[StraightLine], list[StraightLine]]:
         fan = _fan(along.astype(np.float64), across.astype(np.float64), mean, side)
         # a camera that leaned shows lines that converge; a scanner does not, and there curves that look straight do
         convergent = _convergent(_refined(ink, fan, vertical, shrink), mean, width if vertical else height)
-        parallel = [line for line in parallel if abs(line.slope - mean) < LARGEST_SLOPE_SPREAD]
-        more = _length(convergent, 4 * shrink) > _length(parallel, 4 * shrink) + CONVERGENCE_GAIN
-        families.append(_one_each(convergent if more else parallel, 4 * shrink))
+        parallel = _one_each([x for x in parallel if abs(x.slope - mean) < LARGEST_SLOPE_SPREAD], 4 * shrink)
+        convergent = _one_each(convergent, 4 * shrink)
+        drawn = [sum(line.length for line in family) for family in (parallel, convergent)]
+        typical = float(np.median([line.length for line in convergent])) if convergent else 0.0
+        families.append(convergent if drawn[1] > drawn[0] + CONVERGENCE_GAIN * typical else parallel)
     horizontal, vertical_ = _without_border(families[0], families[1], width)
     return _family(horizontal, 4 * shrink), _family(vertical_, 4 * shrink)
 
@@ -144,35 +147,31 @@ def _convergent(lines: list[StraightLine], mean: float, size: float) -> list[Str
     return [line for line, chosen in zip(lines, best[1], strict=True) if chosen]
 
 
-def _length(lines: list[StraightLine], nearest: float) -> float:
-    """How many lines of the family's length its lines are together."""
-    family = _family(lines, nearest)
-    return sum(line.length for line in family) / max((line.length for line in family), default=1.0)
-
-
 def _without_border(
     horizontal: list[StraightLine], vertical: list[StraightLine], width: int
 ) -> tuple[list[StraightLine], list[StraightLine]]:
-    """The lines without the border round the sheet: the outermost four, where they meet and all others are shorter."""
+    """The lines without the border round the sheet, which may be double.
+
+    Its upright lines are the outermost and longer than all others, the centre line included; its level lines end there.
+    """
     tolerance = BORDER_TOLERANCE * width
-    while len(horizontal) > 2 and len(vertical) > 2:
-        (top, bottom), (left, right) = _outermost(horizontal), _outermost(vertical)
-        meet = all(
-            abs(line.start - float(first.at(line.at(line.start)))) < tolerance
-            and abs(line.end - float(last.at(line.at(line.end)))) < tolerance
-            for pair, first, last in (((top, bottom), left, right), ((left, right), top, bottom))
-            for line in pair
-        )
-        inner_h = [line for line in horizontal if line is not top and line is not bottom]
-        inner_v = [line for line in vertical if line is not left and line is not right]
-        longer = all(
-            min(pair[0].length, pair[1].length) > BORDER_LONGER * max(line.length for line in inner)
-            for pair, inner in (((top, bottom), inner_h), ((left, right), inner_v))
-        )
-        if not (meet and longer):
+    while len(vertical) > FEWEST_INSIDE:
+        left, right = _outermost(vertical)
+        inner = [line for line in vertical if line is not left and line is not right]
+        if min(left.length, right.length) <= BORDER_LONGER * max(line.length for line in inner):
             break
-        horizontal, vertical = inner_h, inner_v
+        vertical = inner
+        horizontal = [line for line in horizontal if not _joins(line, left, right, tolerance)]
     return horizontal, vertical
+
+
+def _joins(level: StraightLine, left: StraightLine, right: StraightLine, tolerance: float) -> bool:
+    """Whether a level line lies where two upright ones end."""
+    return any(
+        abs(end - float(level.at(upright.at(end)))) < tolerance
+        for upright in (left, right)
+        for end in (upright.start, upright.end)
+    )
 
 
 def _outermost(lines: list[StraightLine]) -> tuple[StraightLine, StraightLine]:

@@ -33,6 +33,11 @@ STATION_COLOURS: tuple[Colour, ...] = (
 )
 GRID_COLOUR: Colour = (225, 205, 150)
 LINE_COLOUR: Colour = (150, 90, 0)
+VALUE_COLOUR: Colour = (140, 120, 40)
+SAME_LINE = 0.004  # of B/2 or D: a grid line so near to a line with a name of its own is that line
+LARGEST_MULTIPLE = 12  # of the grid's spacing below the base line
+LINE_REACH_PX = 2
+LINE_SHADE = 0.96  # of the paper's level: the faintest line
 FONT = cv2.FONT_HERSHEY_SIMPLEX
 
 
@@ -112,6 +117,7 @@ def _draw_lines(image: Image, reading: PictureReading) -> list[Box]:
         where the values stand.
     """
     taken: list[Box] = []
+    values: list[tuple[str, tuple[float, float]]] = []
     half_breadth, depth, draught = reading.breadth_m / 2, reading.depth_m, reading.draught_m
     reach = 1.03 * half_breadth
 
@@ -122,37 +128,78 @@ def _draw_lines(image: Image, reading: PictureReading) -> list[Box]:
 
     if reading.grid_m is not None:
         across, up = reading.grid_m
-        for n in range(1, int(half_breadth / across) + 1):
-            for side in (-1, 1):
-                line(((side * n * across, 0.0), (side * n * across, depth)), GRID_COLOUR)
-        for n in range(1, int(depth / up) + 1):
-            line(((-half_breadth, n * up), (half_breadth, n * up)), GRID_COLOUR)
+        lowest = -up * max((n for n in range(1, LARGEST_MULTIPLE) if _is_drawn(reading, -n * up)), default=0)
+        least, most = _traced_heights(reading)
+        least = min(least, lowest)
+        for y in across * np.arange(-int(half_breadth / across), int(half_breadth / across) + 1):
+            if 0 < abs(y) < (1 - SAME_LINE) * half_breadth:
+                ends = line(((y, min(0.0, least)), (y, depth)), GRID_COLOUR)
+                values.append((f"{abs(y):g}", (float(ends[0, 0]) + 2, float(ends[0, 1]) + _line_height(image))))
+        for z in up * np.arange(int(np.ceil(least / up)), int(max(most, depth) / up) + 1):
+            if min(abs(z), abs(z - depth), abs(z - draught)) > SAME_LINE * depth:
+                ends = line(((-reach, z), (reach, z)), GRID_COLOUR)
+                values += [(f"{z:g}", (float(end[0]) + 2, float(end[1]) - 3)) for end in ends]
     for half, points in reading.sheer_m.items():
         sheer = _pixels(reading, reading.side_of(half) * points[:, 0], points[:, 1])
         cv2.polylines(image, [_fixed(sheer)], False, LINE_COLOUR, 1, cv2.LINE_AA, SHIFT)
-    heights = [(0.0, "BL 0"), (depth, f"D {depth:g}"), (draught, f"T {draught:g}")]
+    heights = [(0.0, "BL 0 m"), (depth, f"D {depth:g} m"), (draught, f"T {draught:g} m")]
     if draught == depth:
-        heights[1:] = [(depth, f"D = T {depth:g}")]
+        heights[1:] = [(depth, f"D = T {depth:g} m")]
     for z, words in heights:
         ends = line(((-reach, z), (reach, z)), LINE_COLOUR)
         _write(image, words, (float(ends[0, 0]) + 2, float(ends[0, 1]) - 3), LINE_COLOUR, taken)
-    for y, words in ((-half_breadth, f"B/2 {half_breadth:g}"), (0.0, "CL"), (half_breadth, f"B/2 {half_breadth:g}")):
+    for y, words in (
+        (-half_breadth, f"B/2 {half_breadth:g} m"),
+        (0.0, "CL"),
+        (half_breadth, f"B/2 {half_breadth:g} m"),
+    ):
         ends = line(((y, -0.03 * depth), (y, depth)), LINE_COLOUR)
         _write(image, words, (float(ends[0, 0]) + 3, float(ends[0, 1])), LINE_COLOUR, taken)
+    for words, at in values:
+        if not any(_overlap(_box(image, words, at), other) for other in taken):
+            _write(image, words, at, VALUE_COLOUR, taken)
     return taken
+
+
+def _is_drawn(reading: PictureReading, z_m: float) -> bool:
+    """Whether the picture has a level line at a height; below the base line no others are shown."""
+    y = np.linspace(-0.9, 0.9, 400) * reading.breadth_m / 2
+    u, v = np.round(_pixels(reading, y, np.full(y.shape, z_m))).astype(int).T
+    rows, columns = reading.grey.shape
+    if u.min() < 0 or u.max() >= columns or v.min() < LINE_REACH_PX or v.max() >= rows - LINE_REACH_PX:
+        return False
+    near = np.min([reading.grey[v + k, u] for k in range(-LINE_REACH_PX, LINE_REACH_PX + 1)], axis=0)
+    return bool(np.mean(near < LINE_SHADE * float(np.median(reading.grey))) > 0.5)
+
+
+def _traced_heights(reading: PictureReading) -> tuple[float, float]:
+    """Heights in metres, of the lowest and the highest point of the traced curves."""
+    heights = [curve.height_m for station in reading.body_plan.stations for curve in station.curves]
+    return min(float(z.min()) for z in heights), max(float(z.max()) for z in heights)
 
 
 def _label(image: Image, words: str, points: Array, colour: Colour, taken: list[Box]) -> None:
     """Name a curve at the first place along it, from the deck down, that no other name has; none where all is full."""
-    (width, height), _ = cv2.getTextSize(words, FONT, *_text_size(image))
+    (width, _), _ = cv2.getTextSize(words, FONT, *_text_size(image))
     for share in np.arange(0.97, 0.2, -0.03):
         u, v = points[round(share * (len(points) - 1))]
         for left in (u + 4, u - 4 - width):
-            box = (left - 2, v - height - 2, left + width + 2, v + 4)
+            box = _box(image, words, (left, v))
             inside = box[0] >= 0 and box[1] >= 0 and box[2] < image.shape[1] and box[3] < image.shape[0]
             if inside and not any(_overlap(box, other) for other in taken):
                 _write(image, words, (float(left), float(v)), colour, taken)
                 return
+
+
+def _line_height(image: Image) -> float:
+    """Of a line of text, px."""
+    return 1.6 * float(cv2.getTextSize("0", FONT, *_text_size(image))[0][1])
+
+
+def _box(image: Image, words: str, at: tuple[float, float]) -> Box:
+    """What a text covers with its halo, its lower left corner given."""
+    (width, height), _ = cv2.getTextSize(words, FONT, *_text_size(image))
+    return at[0] - 2, at[1] - height - 2, at[0] + width + 2, at[1] + 4
 
 
 def _overlap(a: Box, b: Box) -> bool:

@@ -12,11 +12,15 @@ from numpy.typing import NDArray
 from hullform.body_plan import BodyPlan, Calibration, Half, Station, TracedCurve
 from hullform.corrections import Correction, Drawn
 from hullform.errors import PictureError
+from hullform.picture.contours import NO_LOOP, marks_on_loops, pair_loops
 from hullform.picture.corrected import correct_ink
+from hullform.picture.crosschecks import crosscheck
 from hullform.picture.doubts import (
     NamedHalf,
+    doubts_below_base,
     doubts_of_counts,
     doubts_of_edges,
+    doubts_of_keel,
     doubts_of_parallel_body,
     doubts_of_scale,
 )
@@ -153,6 +157,9 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
                 f"stations ({half}_stations_m); "
                 "check aft_side, breadth_m, depth_m and the calibration, or give a clearer picture"
             )
+        loops = [loop.points for loop in reading.loops]
+        marks, on_loops = marks_on_loops(marks, reading.curves, loops, frame.half_breadth_px)
+        used_marks |= {mark.mark for mark, _ in on_loops}
         marks, doubts_of_places = near_curves(marks, reading.curves, frame.half_breadth_px)
         at = [(mark.station, mark.y_px, mark.z_px) for mark in marks]
         assigned = assign_stations(
@@ -162,12 +169,21 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
             mark_distances(reading.curves, at, len(names)),
             [(_index(inner_first, x), number) for number, x in reading.drawn],
         )
+        second = pair_loops(
+            loops,
+            [None if number == NO_CURVE else reading.curves[number] for number in assigned],
+            frame.half_breadth_px,
+            [(mark.station, loop) for mark, loop in on_loops],
+            [_index(inner_first, x) for x, _ in reading.second_contours],
+        )
         used_marks |= {mark.mark for mark in marks}
         of_lines |= set(reading.unheeded)
-        named_here, doubts_here = _stations(reading, inner_first, assigned, notes, doubts)
+        named_here, doubts_here = _stations(reading, inner_first, assigned, second, notes, doubts)
         stations += named_here
         station_doubts += doubts_here
-        curves += seen_curves(reading, _by_curve(inner_first, assigned), sheet.reduction)
+        curves += seen_curves(
+            reading, _by_curve(inner_first, assigned), _by_curve(inner_first, second), sheet.reduction
+        )
         unused += unused_lines(reading, sheet.reduction)
         doubts += [doubt.text for doubt in doubts_here] + doubts_of_marks + doubts_of_places
         doubts += unheeded(marks, reading.curves, assigned, frame.half_breadth_px)
@@ -176,8 +192,10 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
     doubts += [item.text for item in without_effect]
     readings = [half.reading for half in halves]
     doubts += doubts_of_scale(str(path), readings, sheet.ink, sheet.bare, main.breadth_m, main.depth_m)
+    doubts += doubts_below_base(readings, sheet.bare) + doubts_of_keel(readings, main.depth_m)
     doubts += doubts_of_counts(halves)
     doubts += doubts_of_parallel_body(halves, main.length_between_perpendiculars_m)
+    doubts += crosscheck(stations, main, ship.water)
     fine_notes, fine_doubts = check_input(path.name, sheet.halves.values(), sheet.size_px[0])
     notes += fine_notes
     doubts += fine_doubts
@@ -219,24 +237,37 @@ def _by_curve(inner_first: tuple[float, ...], assigned: list[int]) -> dict[int, 
     return out
 
 
+def _in_metres(points_px: Array, metres_per_px: float, confidence: float) -> TracedCurve:
+    return TracedCurve(points_px[:, 0] * metres_per_px, points_px[:, 1] * metres_per_px, confidence)
+
+
 def _stations(
-    reading: HalfReading, inner_first: tuple[float, ...], assigned: list[int], notes: list[str], doubts: list[str]
+    reading: HalfReading,
+    inner_first: tuple[float, ...],
+    assigned: list[int],
+    second: list[int],
+    notes: list[str],
+    doubts: list[str],
 ) -> tuple[list[Station], list[StationDoubt]]:
     """The stations of a half with their curves in metres, and which are not sure; reports what was shared."""
     scale = reading.frame.metres_per_px
-    curves = []
-    for points, confidence in zip(reading.curves, reading.confidences, strict=True):
-        curves.append(TracedCurve(points[:, 0] * scale, points[:, 1] * scale, confidence))
-    second = {
-        _index(inner_first, x): TracedCurve(points[:, 0] * scale, points[:, 1] * scale)
-        for x, points in reading.second_contours
+    curves = [
+        _in_metres(points, scale, confidence)
+        for points, confidence in zip(reading.curves, reading.confidences, strict=True)
+    ]
+    contours = {
+        place: _in_metres(reading.loops[loop].points, scale, reading.loops[loop].confidence)
+        for place, loop in enumerate(second)
+        if loop != NO_LOOP
     }
+    contours |= {_index(inner_first, x): _in_metres(points, scale, 1.0) for x, points in reading.second_contours}
     stations: list[Station] = []
     unsure: list[StationDoubt] = []
     for place, (x, number) in enumerate(zip(inner_first, assigned, strict=True)):
-        further = (second[place],) if place in second else ()
+        further = (contours[place],) if place in contours else ()
         if number == NO_CURVE:
-            text = f"station {x:g} m ({reading.half} half): not found; mark a point of its curve in [[body_plan.marks]]"
+            what = "only a contour that closes on the centre line was found" if further else "not found"
+            text = f"station {x:g} m ({reading.half} half): {what}; mark a point of its curve in [[body_plan.marks]]"
             unsure.append(StationDoubt(x, reading.half, text))
             if further:
                 stations.append(Station(x, reading.half, further))

@@ -120,7 +120,7 @@ def usable(peaks: Peaks, mask: Mask, frame: DiagonalFrame) -> NDArray[np.bool_]:
     on_vertical = ((here & VERTICAL) > 0) & (peaks.slope > -0.55)
     on_horizontal = ((here & HORIZONTAL) > 0) & (peaks.slope < 0.55)
     y, z = frame.to_drawing(peaks.column.astype(np.float64), peaks.row)
-    outside = np.minimum(y, z) < -0.008 * frame.half_breadth_px
+    outside = np.minimum(y, z - frame.bottom_px) < -0.008 * frame.half_breadth_px
     return ~(on_vertical | on_horizontal | outside)
 
 

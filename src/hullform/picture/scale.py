@@ -16,15 +16,17 @@ Array = NDArray[np.float64]
 ROUND_NUMBERS = (1.0, 1.2, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 8.0)  # times powers of ten, in metres
 ROUGH_TOLERANCE = 0.03  # between the rough scale and a round grid spacing
 AXES_TOLERANCE = 0.004  # between the scales of the two families of a grid
+AXES_TOLERANCE_LEANING = 0.012  # the same where the camera leaned
 COMB_TOLERANCE_PX = 1.5  # how far a grid line may lie from its multiple
 FEWEST_TEETH = 3  # different multiples, zero included, that make a grid
 LEAST_HALF_BREADTH = 0.05  # of the picture's width: less is the centre line itself
 LEAST_SIDE = 0.05  # of the height above the base line: upright ink that counts as a ship's side
+HIGHEST_FIGURE = 0.014  # of the picture's width: figures beside the waterlines may touch them
 SIDE_WINDOW = 0.004  # of the picture's width: how far a ship's side may lean within that
 
 
 def outermost_half_breadth(
-    ink: Ink, origin: tuple[float, float], skew: float, height_px: float | None = None
+    ink: Ink, origin: tuple[float, float], skew: float, height_px: float | None = None, lean: float = 0.0
 ) -> float | None:
     """Distance in px from the centre line to the outermost upright ink that hangs together with it.
 
@@ -33,6 +35,7 @@ def outermost_half_breadth(
         origin: pixel where the centre line meets the base line.
         skew: slope dv/du of the base line.
         height_px: how far above the base line to look; to the picture's top by default.
+        lean: of the camera, per px: a distance d along the base line would be d / (1 - lean d) in a flat scan.
     """
     rows, columns = ink.shape
     u0, v0 = origin
@@ -55,12 +58,12 @@ def outermost_half_breadth(
     near = cv2.dilate(body.astype(np.uint8), np.ones((1, 2 * reach + 1), np.uint8))
     # a horizontal line fills many columns but few rows; a ship's side fills many rows
     height = float(np.ptp(np.flatnonzero(body.any(axis=1)))) + 1
-    sides = np.flatnonzero(near.sum(axis=0) >= LEAST_SIDE * height)
+    sides = np.flatnonzero(near.sum(axis=0) >= max(LEAST_SIDE * height, HIGHEST_FIGURE * columns))
     if sides.size == 0:
         return None
     # the window widens the body by its reach on either side
     left, right = u0 - (sides[0] + reach), (sides[-1] - reach) - u0
-    half_breadth = float(max(left, right))
+    half_breadth = float(max(left / (1 + lean * left), right / (1 - lean * right)))
     return half_breadth if half_breadth > LEAST_HALF_BREADTH * columns else None
 
 
@@ -124,7 +127,11 @@ class Grid:
 
 
 def find_grid(
-    across_px: Sequence[float] | Array, up_px: Sequence[float] | Array, metres_per_px: float, breadth_m: float
+    across_px: Sequence[float] | Array,
+    up_px: Sequence[float] | Array,
+    metres_per_px: float,
+    breadth_m: float,
+    leaning: bool = False,
 ) -> Grid | None:
     """The grid of round spacings whose two scales agree with each other and with the rough scale.
 
@@ -133,7 +140,9 @@ def find_grid(
         up_px: heights of the horizontal lines above the base line.
         metres_per_px: the rough scale.
         breadth_m: moulded breadth (spacings may be fractions of it).
+        leaning: whether the camera leaned, so that the two scales differ a little.
     """
+    axes_tolerance = AXES_TOLERANCE_LEANING if leaning else AXES_TOLERANCE
     if len(across_px) < FEWEST_TEETH or len(up_px) < FEWEST_TEETH:
         return None
     best: tuple[float, Grid] | None = None
@@ -141,7 +150,7 @@ def find_grid(
         for up in find_combs(np.asarray(up_px)):
             for across_m in round_spacing(across.spacing_px, metres_per_px, breadth_m, ROUGH_TOLERANCE):
                 scale = across_m / across.spacing_px
-                for up_m in round_spacing(up.spacing_px, scale, breadth_m, AXES_TOLERANCE):
+                for up_m in round_spacing(up.spacing_px, scale, breadth_m, axes_tolerance):
                     score = (
                         _regularity(across)
                         + _regularity(up)

@@ -56,13 +56,16 @@ class StationDoubt:
 
 
 def seen_curves(
-    reading: HalfReading, stations: Mapping[int, Sequence[float]], reduction: Reduction
+    reading: HalfReading,
+    stations: Mapping[int, Sequence[float]],
+    of_loops: Mapping[int, Sequence[float]],
+    reduction: Reduction,
 ) -> tuple[SeenCurve, ...]:
-    """The curves of a half, from the centre line outwards, then the second contours that were drawn.
+    """The curves of a half, from the centre line outwards, then its second contours, found and drawn.
 
     Args:
         reading: of the half.
-        stations: x of the stations of each curve.
+        stations: x of the stations of each curve; of_loops: of each contour that closes on the centre line.
         reduction: of the picture that was read.
     """
     by_hand = {number for number, _ in reading.drawn}
@@ -77,11 +80,23 @@ def seen_curves(
         )
         for number, (curve, confidence) in enumerate(zip(reading.curves, reading.confidences, strict=True))
     ]
+    by_name = {station for station, _ in reading.second_contours}
+    loops = [
+        SeenCurve(
+            reading.half,
+            stored_of_drawing(loop.points, reading.frame, reduction),
+            tuple(x for x in sorted(of_loops.get(number, ())) if x not in by_name),
+            1,
+            loop.confidence,
+            False,
+        )
+        for number, loop in enumerate(reading.loops)
+    ]
     second = [
         SeenCurve(reading.half, stored_of_drawing(curve, reading.frame, reduction), (station,), 1, 1.0, True)
         for station, curve in reading.second_contours
     ]
-    return (*first, *second)
+    return (*first, *loops, *second)
 
 
 def unused_lines(reading: HalfReading, reduction: Reduction) -> tuple[UnusedLine, ...]:

@@ -81,7 +81,7 @@ def _sheer_above(
     grid_z, grid_y = np.meshgrid(z, y, indexing="ij")
     u, v = frame.to_picture(grid_y, grid_z)
     upright = cv2.remap(ink, u.astype(np.float32), v.astype(np.float32), cv2.INTER_LINEAR, borderValue=0)
-    smooth = cv2.GaussianBlur(upright, (0, 0), 1.0)
+    smooth = np.asarray(cv2.GaussianBlur(upright, (0, 0), 1.0), dtype=np.float32)
     # thin grey lines are weaker than the stations: what counts is that there is a ridge, not how black it is
     along = np.max([cv2.filter2D(smooth, -1, _stroke(slope)) for slope in FALLS], axis=0)
     flat = np.minimum(along / RIDGE, 1.0)

@@ -15,6 +15,7 @@ from hullform.picture.flow import Path
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.placing import REACH
 from hullform.picture.ridges import Tracklet
+from hullform.picture.winding import Pieces, bridged
 
 Array = NDArray[np.float64]
 
@@ -39,6 +40,7 @@ class Trace:
         visible: share of the columns with ink; `own`: share where it stands alone.
         end_cost: of the flow, at both ends.
         corners: [column, row] of the knuckles that were kept.
+        winds: whether the curve turns back, so that its columns do not increase throughout.
     """
 
     column: Array
@@ -48,20 +50,24 @@ class Trace:
     own: float
     end_cost: float
     corners: tuple[tuple[float, float], ...] = ()
+    winds: bool = False
 
 
 def smooth_traces(
     paths: Sequence[Path],
-    tracklets: Sequence[Tracklet],
+    pieces: Pieces,
     width_px: float,
     frame: DiagonalFrame,
     knuckles: Sequence[tuple[float, float]] = (),
 ) -> list[Trace]:
     """The curves of a half from the centre line outwards; (column, row) of the user's knuckles are not rounded."""
-    raw = [_joined(path, tracklets) for path in paths]
+    raw = [_joined(path, pieces) for path in paths]
+    winds = [pieces.winds(path.tracklets) for path in paths]
+    level = [_over_height(path, pieces, frame) for path in paths] if any(winds) else raw
 
     def inside_first(first: int, second: int) -> int:
-        return _compare(raw[first], raw[second], first, second)
+        seen = level if winds[first] or winds[second] else raw
+        return _compare(seen[first], seen[second], first, second)
 
     order = sorted(range(len(paths)), key=cmp_to_key(inside_first))
     users: dict[int, list[int]] = {}
@@ -69,7 +75,7 @@ def smooth_traces(
         for piece in paths[rank].tracklets:
             users.setdefault(piece, []).append(rank)
     near = _under(knuckles, raw, REACH * frame.half_breadth_px)
-    return [_trace(number, paths[number], tracklets, users, width_px, frame, near[number]) for number in order]
+    return [_trace(number, paths[number], pieces, users, width_px, frame, near[number]) for number in order]
 
 
 def _under(
@@ -86,11 +92,19 @@ def _under(
     return out
 
 
-def _joined(path: Path, tracklets: Sequence[Tracklet]) -> tuple[Array, Array]:
-    column = np.concatenate([tracklets[i].column for i in path.tracklets]).astype(np.float64)
-    row = np.concatenate([tracklets[i].row for i in path.tracklets])
+def _joined(path: Path, pieces: Pieces) -> tuple[Array, Array]:
+    points = [pieces.points(number) for number in path.tracklets]
+    column, row = (np.concatenate([p[k] for p in points]) for k in (0, 1))
     unique, index = np.unique(column, return_index=True)
     return unique, row[index]
+
+
+def _over_height(path: Path, pieces: Pieces, frame: DiagonalFrame) -> tuple[Array, Array]:
+    """Heights, and the half-breadths there: curves that turn back are told apart by them."""
+    points = [pieces.points(number) for number in path.tracklets]
+    y, z = frame.to_drawing(*(np.concatenate([p[k] for p in points]) for k in (0, 1)))
+    order = np.argsort(z, kind="stable")
+    return z[order], y[order]
 
 
 def _compare(a: tuple[Array, Array], b: tuple[Array, Array], first: int, second: int) -> int:
@@ -109,7 +123,7 @@ def _compare(a: tuple[Array, Array], b: tuple[Array, Array], first: int, second:
 def _trace(
     number: int,
     path: Path,
-    tracklets: Sequence[Tracklet],
+    pieces: Pieces,
     users: dict[int, list[int]],
     width_px: float,
     frame: DiagonalFrame,
@@ -117,13 +131,26 @@ def _trace(
 ) -> Trace:
     columns, rows, weights = [], [], []
     for piece in path.tracklets:
-        tracklet, sharers = tracklets[piece], users[piece]
-        row = tracklet.row
-        if len(sharers) > 1:
-            row = _spread(tracklet, sharers.index(number), len(sharers), width_px)
-        columns.append(tracklet.column.astype(np.float64))
+        sharers = users[piece]
+        column, row = pieces.points(piece)
+        if len(sharers) > 1 and piece < len(pieces.along):
+            row = _spread(pieces.along[piece], sharers.index(number), len(sharers), width_px)
+        columns.append(column)
         rows.append(row)
         weights.append(np.full(len(row), 1.0 if len(sharers) == 1 else WEIGHT_OF_SHARED))
+    wave = max(14.0, SHORTEST_WAVE * frame.half_breadth_px)
+    if pieces.winds(path.tracklets):
+        column, row, weight = bridged(columns, rows, weights, WEIGHT_OF_GAP)
+        seen = np.concatenate(weights)
+        return Trace(
+            column=_robust_smooth(column, weight, wave),
+            row=_robust_smooth(row, weight, wave),
+            weight=weight,
+            visible=len(seen) / len(weight),
+            own=int((seen == 1.0).sum()) / len(weight),
+            end_cost=path.end_cost,
+            winds=True,
+        )
     column, index = np.unique(np.concatenate(columns), return_index=True)
     row, seen = np.concatenate(rows)[index], np.concatenate(weights)[index]
     found, own = len(column), int((seen == 1.0).sum())
@@ -134,7 +161,7 @@ def _trace(
     raw = np.interp(every, column, row)
     found_corners = [corner_near(every, raw, weight, at, frame.half_breadth_px) for at in knuckles]
     corners = sorted({corner for corner in found_corners if corner is not None})
-    smooth = _robust_smooth(raw, weight, max(14.0, SHORTEST_WAVE * frame.half_breadth_px), corners)
+    smooth = _robust_smooth(raw, weight, wave, corners)
     return Trace(
         column=every,
         row=smooth,

@@ -1,0 +1,152 @@
+"""The desk of one review: the ship, the picture made ready, and the reading that follows from what a person says."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import OrderedDict
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from hullform.errors import HullformError, PictureError
+from hullform.picture.image_files import load_grey
+from hullform.picture.reading import PictureReading, read_sheet
+from hullform.picture.sheet import Sheet, prepare_sheet
+from hullform.review.strip import straightened
+from hullform.review.view import reading_document
+from hullform.review_file import Review, checked_review, new_review, read_review, review_path, write_review
+from hullform.ship import Ship
+
+Document = dict[str, Any]
+
+SHEETS_KEPT = 3  # calibrations that undo and redo go back to at once
+
+
+class SupersededError(Exception):
+    """A later state of the review asked for a reading before this one began."""
+
+
+class Desk:
+    """Reads the picture as a review has it, one reading at a time; the latest that was asked for wins.
+
+    Raises:
+        PictureError: the picture cannot be read.
+        ReviewError: the review that lies there is damaged, or was made of another picture.
+    """
+
+    def __init__(self, ship: Ship) -> None:
+        self.ship = ship
+        self.saved: Review = read_review(ship) or new_review(ship)
+        rows, columns = load_grey(ship.body_plan.image_path, ship.body_plan.page).shape
+        self.size_px = (columns, rows)
+        self._sheets: OrderedDict[str, Sheet] = OrderedDict()
+        self._reading: PictureReading | None = None
+        self._working = threading.Lock()
+        self._counting = threading.Lock()
+        self._asked = 0
+
+    def opening(self) -> Document:
+        """What the page needs to open: the ship, the picture, the saved review, its reading or why there is none."""
+        source, main = self.ship.body_plan, self.ship.particulars
+        document: Document = {
+            "ship": {
+                "name": main.name,
+                "file": str(self.ship.path),
+                "length_overall_m": main.length_overall_m,
+                "breadth_m": main.breadth_m,
+                "depth_m": main.depth_m,
+                "draught_m": main.draught_m,
+                "stations": {
+                    "aft_side": source.aft_side,
+                    "aft_stations_m": list(source.aft_stations_m),
+                    "fore_stations_m": list(source.fore_stations_m),
+                },
+                "marks": len(source.marks),
+                "calibrated": source.calibration is not None,
+            },
+            "picture": {"file": source.image, "width_px": self.size_px[0], "height_px": self.size_px[1]},
+            "review_file": review_path(self.ship).name,
+            "saved_before": review_path(self.ship).exists(),
+            "review": review_document(self.saved),
+        }
+        try:
+            return document | {"reading": self.solve(document["review"]), "failure": None}
+        except HullformError as error:
+            return document | {"reading": None, "failure": str(error)}
+
+    def solve(self, document: Document) -> Document:
+        """Read the picture again, as a review has it.
+
+        Args:
+            document: a whole review file.
+
+        Raises:
+            ReviewError: it is no review of this picture.
+            PictureError: nothing can be read with this calibration and these stations.
+            SupersededError: a later one was asked for meanwhile.
+        """
+        with self._counting:
+            self._asked += 1
+            ticket = self._asked
+        with self._working:
+            if ticket != self._asked:
+                raise SupersededError("a later change is being read")
+            began = time.perf_counter()
+            review = checked_review(document, self.ship)
+            ship = review.applied_to(self.ship)
+            sheet = self._sheet(ship)
+            reading = read_sheet(sheet, ship, review.corrections)
+            self._reading = reading
+            view = reading_document(sheet, reading, ship)
+            return view | {"seconds": time.perf_counter() - began}
+
+    def save(self, document: Document) -> Path:
+        """Write a review beside ship.toml; returns the path.
+
+        Raises:
+            ReviewError: it is no review of this picture.
+            OutputError: it cannot be written.
+        """
+        review = checked_review(document, self.ship)
+        review.applied_to(self.ship)
+        path = write_review(review, self.ship)
+        self.saved = review
+        return path
+
+    def strip(self, half: str, station_m: float, curve: int) -> bytes:
+        """A PNG of the picture along a station's curve, straightened: keel left, deck right.
+
+        Raises:
+            PictureError: there is no such curve.
+        """
+        reading = self._reading
+        for station in () if reading is None else reading.body_plan.stations:
+            if reading is not None and station.half == half and abs(station.x_m - station_m) < 1e-3:
+                image = straightened(reading, station, min(curve, len(station.curves) - 1))
+                return _png(image)
+        raise PictureError(f"station {station_m:g} m of the {half} half has no curve")
+
+    def _sheet(self, ship: Ship) -> Sheet:
+        source = ship.body_plan
+        given = "" if source.calibration is None else source.calibration.model_dump_json()
+        key = f"{source.aft_side} {given}"
+        if key not in self._sheets:
+            self._sheets[key] = prepare_sheet(ship)
+            while len(self._sheets) > SHEETS_KEPT:
+                self._sheets.popitem(last=False)
+        self._sheets.move_to_end(key)
+        return self._sheets[key]
+
+
+def review_document(review: Review) -> Document:
+    """A review as its file has it."""
+    return review.model_dump(mode="json", by_alias=True, exclude_none=True)
+
+
+def _png(image: NDArray[np.uint8]) -> bytes:
+    _, data = cv2.imencode(".png", image)
+    return data.tobytes()
