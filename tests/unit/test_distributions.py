@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from hullform.errors import LoadingError
-from hullform.loading.distributions import girder_from, shaped, uniform
+from hullform.loading.distributions import girder_from, settled, shaped, uniform
 
 X = np.linspace(0.0, 100.0, 101)
 
@@ -21,6 +21,21 @@ def test_a_triangle_has_its_centre_at_two_thirds() -> None:
     item = shaped("cargo", 900.0, X, X)
     assert item.mass_kg == pytest.approx(900.0, rel=1e-13)
     assert item.centre_m == pytest.approx(200.0 / 3, rel=1e-13)
+
+
+def test_what_all_but_stands_on_a_station_is_put_there_with_its_mass() -> None:
+    ramp = shaped("cargo", 900.0, X, X, 20.0004, 89.9996, lumps=((55.0003, 40.0), (70.2, 10.0)))
+    other = uniform("stores", 500.0, 33.3, 66.6)
+    near = uniform("water", 100.0, 33.3005, 71.0)
+    first, second, third = settled((ramp, other, near), X)
+    assert (first.x_m[0], first.x_m[-1]) == (20.0, 90.0)
+    assert [x for x, _ in first.points] == [55.0, 70.2]
+    assert first.mass_kg == pytest.approx(900.0, rel=1e-13)
+    assert first.centre_m == pytest.approx(ramp.centre_m, abs=1e-3)
+    assert second is other
+    # on the breakpoint of the item before it
+    assert third.x_m.tolist() == [33.3, 71.0]
+    assert third.mass_kg == pytest.approx(100.0, rel=1e-13)
 
 
 def test_a_cut_triangle_integrates_to_its_own_total() -> None:

@@ -91,6 +91,22 @@ def test_members_begin_and_end_with_a_jump() -> None:
     assert found.torsion_constant_m4[opening + 1] < 0.2 * found.torsion_constant_m4[opening]
 
 
+def test_no_two_places_are_all_but_one() -> None:
+    # stations stand every 2.5 m; a beam solution cannot take bays of millimetres
+    keys: dict[str, Any] = {
+        "inner_bottom": {"height_m": 1.5, "from_m": 10.0004, "to_m": 99.9995},
+        "hatches": [{"breadth_m": 12.0, "from_m": 31.0, "to_m": 59.9998}],
+        "zones": [{"part": "deck", "thickness_m": 0.02, "from_m": 60.0003}],
+    }
+    found = structure(hull(3.0), **keys)
+    gaps = np.diff(found.x_m)
+    assert found.x_m[:-1][gaps == 0].tolist() == [10.0, 31.0, 60.0]
+    assert gaps[gaps > 0].min() == pytest.approx(1.0)
+    # the hatch and the thinner deck end at one place: abaft of it neither has, forward of it both have
+    at = int(np.searchsorted(found.x_m, 60.0))
+    assert found.steel_area_m2[at + 1] - found.steel_area_m2[at] == pytest.approx(0.016 * 12 + 0.004 * 20, rel=2e-2)
+
+
 def test_stiffeners_bend_and_do_not_shear() -> None:
     bare, stiffened = structure(zones=[{"part": "side", "thickness_m": 0.02}]), structure(
         zones=[{"part": "side", "thickness_m": 0.02}], stiffener_share=0.25

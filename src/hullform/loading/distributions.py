@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.errors import LoadingError
+from hullform.loading.places import moved_to
 from hullvib.girder import Girder
 from hullvib.point_masses import PointMass
 
@@ -126,6 +127,39 @@ def merged_breaks(parts: Iterable[Array]) -> Array:
     return np.asarray(breaks[apart], dtype=np.float64)
 
 
+def settled(items: Iterable[Distribution], stations: Array) -> tuple[Distribution, ...]:
+    """The items with what all but stands on a station, or on an earlier item's breakpoint, put there, mass kept.
+
+    A bay of a few millimetres is no part of a ship, and no beam solution can take it.
+    """
+    length = float(stations[-1] - stations[0])
+    known, found = stations, []
+    for item in items:
+        x = moved_to(known, item.x_m, length)
+        at = moved_to(known, np.array([place for place, _ in item.points]), length)
+        if not np.array_equal(x, item.x_m) or at.tolist() != [place for place, _ in item.points]:
+            wide = np.diff(x) > 0
+            points = tuple((float(place), mass) for place, (_, mass) in zip(at, item.points, strict=True))
+            moved = Distribution(
+                item.name,
+                np.concatenate([x[:1], x[1:][wide]]),
+                item.left_kg_per_m[wide],
+                item.right_kg_per_m[wide],
+                points,
+            )
+            share = item.mass_kg / moved.mass_kg
+            item = Distribution(
+                moved.name,
+                moved.x_m,
+                share * moved.left_kg_per_m,
+                share * moved.right_kg_per_m,
+                tuple((place, share * mass) for place, mass in points),
+            )
+        known = np.concatenate([known, item.x_m, [place for place, _ in item.points]])
+        found.append(item)
+    return tuple(found)
+
+
 def girder_from(
     name: str,
     items: tuple[Distribution, ...],
@@ -144,6 +178,7 @@ def girder_from(
         radius_of_gyration_m: of everything on board about the neutral axis; the rotary inertia is m(x)
             times its square.
     """
+    items = settled(items, x_m)
     breaks = merged_breaks([item.x_m for item in items if item.left_kg_per_m.size] + [x_m[[0, -1]]])
     ends = [item.at_piece_ends(breaks) for item in items]
     left, right = (np.sum([pair[side] for pair in ends], axis=0) for side in (0, 1))

@@ -11,6 +11,7 @@ from hullform.errors import LoadingError
 from hullform.hull.loft import Hull
 from hullform.loading.arrangement import Branch, parted, tied
 from hullform.loading.framing import Frame, Plating, member_names, platings_of
+from hullform.loading.places import moved_to
 from hullform.loading.thin_walled import Network
 from hullform.ship_structure import StructureInput
 
@@ -71,12 +72,17 @@ def platings_at(hull: Hull, given: StructureInput, x_m: float) -> tuple[Plating,
 
 def _places(hull: Hull, bounds: tuple[float, ...]) -> tuple[Array, Array]:
     """Where the sections are, and where to ask which members they have."""
-    inside = np.array([x for x in bounds if hull.x_m[0] + _BESIDE_M < x < hull.x_m[-1] - _BESIDE_M])
-    own = hull.x_m[(np.abs(hull.x_m[:, None] - inside) > _BESIDE_M).all(axis=1)]
-    x = np.concatenate([own, inside, inside])
-    probes = np.concatenate([own, inside - _BESIDE_M, inside + _BESIDE_M])
+    given = list(bounds)
+    at = moved_to(hull.x_m, np.array(given), hull.length_overall_m)
+    inside = (at > hull.x_m[0]) & (at < hull.x_m[-1])
+    # of several that came to one place the outermost are asked beside
+    twice = np.unique(at[inside])
+    abaft = np.array([min(x, *np.array(given)[at == x]) for x in twice]) - _BESIDE_M
+    forward = np.array([max(x, *np.array(given)[at == x]) for x in twice]) + _BESIDE_M
+    own = np.setdiff1d(hull.x_m, twice)
+    places, probes = np.concatenate([own, twice, twice]), np.concatenate([own, abaft, forward])
     order = np.argsort(probes)
-    return x[order], probes[order]
+    return places[order], probes[order]
 
 
 def _branches(platings: list[Plating], x_m: float) -> list[Branch]:
