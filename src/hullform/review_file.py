@@ -16,11 +16,12 @@ from hullform.corrections import Correction, Drawn, MarkedStation
 from hullform.errors import ReviewError
 from hullform.files import whole_file
 from hullform.quantities import Number
-from hullform.ship import BodyPlanSource, CalibrationGiven, Ship, Side
+from hullform.ship import BodyPlanSource, CalibrationGiven, Half, Ship, Side, StationName
 
 SUFFIX = ".review.json"
 SAME_STATION_M = 1e-3  # as for the marks of ship.toml
 BLOCK_BYTES = 1 << 20
+HALVES: tuple[Half, Half] = ("aft", "fore")
 
 
 class _Part(BaseModel):
@@ -35,11 +36,24 @@ class ReviewedPicture(_Part):
 
 
 class ReviewedStations(_Part):
-    """Which half is drawn left, and the stations of each half, from aft forward."""
+    """Which half is drawn left, the stations of each half from aft forward, and what the drawing calls them.
+
+    Without names a station keeps the one that ship.toml gives to its x.
+    """
 
     aft_side: Side
     aft_stations_m: Annotated[tuple[Number, ...], Field(min_length=1)]
     fore_stations_m: Annotated[tuple[Number, ...], Field(min_length=1)]
+    aft_station_names: tuple[StationName, ...] = ()
+    fore_station_names: tuple[StationName, ...] = ()
+
+    def over(self, source: BodyPlanSource) -> dict[str, Any]:
+        """The keys of [body_plan] that change."""
+        changed = self.model_dump()
+        for half in HALVES:
+            if not changed[f"{half}_station_names"]:
+                changed[f"{half}_station_names"] = source.names_of(half).kept_by(changed[f"{half}_stations_m"])
+        return changed
 
 
 class Review(_Part):
@@ -63,7 +77,7 @@ class Review(_Part):
         marks = [correction.mark for correction in self.corrections if isinstance(correction, MarkedStation)]
         marked = {(mark.half, mark.station_m, mark.curve) for mark in marks}
         marks += [mark for mark in source.marks if (mark.half, mark.station_m, mark.curve) not in marked]
-        stations = {} if self.stations is None else self.stations.model_dump()
+        stations = {} if self.stations is None else self.stations.over(source)
         calibration = self.calibration if self.calibration is not None else source.calibration
         changed = source.model_dump() | stations
         changed |= {

@@ -16,9 +16,11 @@ from hullform.errors import ShipFileError
 from hullform.quantities import NotNegative, Number, Positive, Share, Table
 from hullform.ship_faults import fault_line
 from hullform.ship_structure import StructureInput
+from hullform.station_names import StationNames, fault_of_names
 
 Half = Literal["aft", "fore"]
 Side = Literal["left", "right"]
+StationName = Annotated[str, Field(strict=True, pattern=r"^\S(.*\S)?$", max_length=16)]
 ShipType = Literal[
     "tanker",
     "chemical-tanker",
@@ -114,6 +116,8 @@ class BodyPlanSource(Table):
     aft_side: Side
     aft_stations_m: Annotated[tuple[Number, ...], Field(min_length=1)]
     fore_stations_m: Annotated[tuple[Number, ...], Field(min_length=1)]
+    aft_station_names: tuple[StationName, ...] = ()
+    fore_station_names: tuple[StationName, ...] = ()
     calibration: CalibrationGiven | None = None
     marks: tuple[Mark, ...] = ()
     _folder: Path = PrivateAttr(default=Path())
@@ -126,6 +130,23 @@ class BodyPlanSource(Table):
                 raise ValueError(f"{after:g} follows {before:g}; list each half's stations from aft forward, each once")
         return stations
 
+    @field_validator("aft_station_names", "fore_station_names", mode="before")
+    @classmethod
+    def _names_are_text(cls, names: Any) -> Any:
+        for name in names if isinstance(names, list) else ():
+            if isinstance(name, int | float):
+                raise ValueError(f'{name} is a number; put the names in quotation marks: "{name}"')
+        return names
+
+    @model_validator(mode="after")
+    def _each_station_has_its_name(self) -> Self:
+        for half in ("aft", "fore"):
+            names, stations = getattr(self, f"{half}_station_names"), getattr(self, f"{half}_stations_m")
+            fault = fault_of_names(half, names, len(stations))
+            if fault is not None:
+                raise ValueError(fault)
+        return self
+
     @model_validator(mode="after")
     def _marks_name_stations(self) -> Self:
         for mark in self.marks:
@@ -136,6 +157,12 @@ class BodyPlanSource(Table):
                     f"which {mark.half}_stations_m does not list"
                 )
         return self
+
+    def names_of(self, half: Half) -> StationNames:
+        """What the drawing calls the stations of a half."""
+        if half == "aft":
+            return StationNames(half, self.aft_stations_m, self.aft_station_names)
+        return StationNames(half, self.fore_stations_m, self.fore_station_names)
 
     @property
     def image_path(self) -> Path:

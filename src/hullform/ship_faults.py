@@ -10,13 +10,18 @@ from pydantic import BaseModel
 
 # Keys that the format keeps for later: refused by name, so that nobody believes that they count.
 RESERVED = {
-    "body_plan": {"mesh", "offsets", "aft_station_names", "fore_station_names", "station_names"},
+    "body_plan": {"mesh", "offsets"},
     "hull": {"sections"},
     "conditions": {"items", "draught_aft_m", "draught_fore_m"},
     "water": {"depth_m"},
     "": {"excitation", "operation"},
 }
 
+# Keys that somebody may well try: what to write in their place.
+INSTEAD = {
+    "station_names": "each half has names of its own: give aft_station_names and fore_station_names, as long as "
+    "aft_stations_m and fore_stations_m",
+}
 
 HOW_TO_FIND = {
     "aft_perpendicular_m": "the length between perpendiculars differs from the length overall, so give the x of "
@@ -45,6 +50,8 @@ def _unknown_key(places: list[Any], root: type[BaseModel]) -> str:
     key, table = keys[-1], keys[0] if len(keys) > 1 else ""
     if key in RESERVED.get(table, set()):
         return "is reserved for a later version and has no effect yet; remove it"
+    if table == "body_plan" and key in INSTEAD:
+        return INSTEAD[key]
     model = root
     for name in keys[:-1]:
         model = _tables_of(model)[name]

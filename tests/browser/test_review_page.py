@@ -251,6 +251,23 @@ def test_station_list_can_be_edited_and_a_wrong_one_keeps_the_former_view(review
     review.said.clear()
 
 
+def test_stations_get_the_names_that_the_drawing_shows(review: ReviewPage) -> None:
+    review.page.get_by_text("Edit the list").click()
+    names = "½, 1, 2, 3, 4, 5, 6, 7, 8, 9"
+    review.page.locator("[data-names=aft]").fill(names)
+    review.page.locator("#apply-stations").click()
+    review.settle()
+    assert review.review["stations"]["aft_station_names"] == names.split(", ")
+    assert review.station("aft", 2.5).locator(".name").inner_text().startswith("½")
+    assert "½" in [curve["label"] for curve in review.reading["curves"]]
+    # a station that is taken away takes its name along
+    review.page.locator("[data-list=aft]").fill("2.5, 10, 15, 20, 25, 30, 35, 40, 45")
+    review.page.locator("#apply-stations").click()
+    review.settle()
+    assert review.review["stations"]["aft_station_names"] == [name for name in names.split(", ") if name != "1"]
+    assert review.count("aft").endswith("of 9")
+
+
 def test_undo_and_redo_go_through_every_change(review: ReviewPage) -> None:
     places = [review.reading["curves"][n]["px"][50] for n in (3, 6, 12)]
     review.press("k", "0")
@@ -280,6 +297,11 @@ def test_keys_choose_tools_zoom_move_and_fit(review: ReviewPage) -> None:
     review.press("+", "+", "ArrowLeft")
     assert review.at((1000, 700)) != pytest.approx(fitted, abs=5)
     review.press("0")
+    assert review.at((1000, 700)) == pytest.approx(fitted, abs=0.01)
+    review.choose_station("fore", 60.0)
+    review.page.keyboard.press("ArrowDown")
+    review.settle()
+    assert review.station("fore", 65.0).get_attribute("aria-pressed") == "true"
     assert review.at((1000, 700)) == pytest.approx(fitted, abs=0.01)
     # what is typed into a field is no key of the picture's
     review.page.get_by_text("Edit the list").click()
@@ -323,6 +345,7 @@ def test_saved_review_is_there_after_a_reload_and_in_the_trace(browser: Browser,
         assert review.count("aft") == "10 of 10"
     page.close(run_before_unload=False)
     assert main(["trace", str(ship)]) == 1
+    assert main(["review", str(ship), "--no-browser"]) == 1
 
 
 def test_page_opens_where_nothing_can_be_read_and_known_points_mend_it(browser: Browser, tmp_path: Path) -> None:

@@ -265,3 +265,23 @@ def test_names_that_are_wrong_in_silence_make_unfair_waterlines(
     edit: tuple[str, str], words: str, tmp_path: Path
 ) -> None:
     assert re.search(f"waterlines: as named, .* {words}", doubts(read(tmp_path, TANKER, (edit,))))
+
+
+@pytest.mark.parametrize(
+    ("waterlines", "words"), [(1, "curves go on below the base line"), (-1, "the fullest sections end|scale: ")]
+)
+def test_a_base_line_that_is_one_waterline_off(waterlines: int, words: str, tmp_path: Path) -> None:
+    # the tanker's lies at 957.4 px; her grid is 2 m, and 0.026506 m are a pixel
+    baseline_px = 957.4 - waterlines * 2 / 0.026506
+    given = f"[body_plan.calibration]\nbaseline_px = {baseline_px:.1f}\n[structure]"
+    assert re.search(words, doubts(read(tmp_path, TANKER, ((r"^\[structure\]", given),))))
+
+
+@pytest.mark.parametrize("name", [CONTAINER, TANKER, WIGLEY])
+def test_a_scan_of_one_bit(name: str, tmp_path: Path) -> None:
+    # at 128 the grey grid is gone: the scale rests on the breadth alone
+    reading = read(tmp_path, name, picture=np.where(shipped(name) < 128, 0, 255).astype(np.uint8))
+    errors = station_errors(outline(name), reading)
+    # jagged edges cost a fraction of a pixel, 0.12 % of B/2 each
+    assert np.median(errors.rms_percent) <= 0.2
+    assert np.mean(errors.rms_percent <= 1.2) >= 0.9

@@ -43,21 +43,21 @@ def pair_loops(
         if loop in free and out[station] == NO_LOOP:
             out[station] = loop
             free.remove(loop)
-    two = [curve is None or _starts_on_centre(curve, half_breadth_px) for curve in curves]
-    # a station that was not found may be its loop alone only where none outside of it is drawn as one curve
-    waiting = [s for s, c in enumerate(curves) if two[s] and out[s] == NO_LOOP and (c is not None or all(two[:s]))]
-    waiting = [s for s in waiting if s not in drawn]
+    waiting = [station for station in range(len(curves)) if out[station] == NO_LOOP and station not in drawn]
     for loop in free[::-1]:
         top = float(loops[loop][:, 1].max()) - OVERLAP * half_breadth_px
-        fits = [s for s in waiting if (curve := curves[s]) is None or float(curve[0, 1]) > top]
+        two = [curve is None or _starts_above(curve, top, half_breadth_px) for curve in curves]
+        # a station that was not found may be its loop alone only where none inside of it is drawn as one curve
+        fits = [s for s in waiting if two[s] and (curves[s] is not None or all(two[:s]))]
         if fits:
             out[fits[-1]] = loop
             waiting = [station for station in waiting if station < fits[-1]]
     return out
 
 
-def _starts_on_centre(curve: Array, half_breadth_px: float) -> bool:
-    return bool(curve[0, 0] < AT_CENTRE * half_breadth_px)
+def _starts_above(curve: Array, height_px: float, half_breadth_px: float) -> bool:
+    """Whether a curve starts on the centre line above a height."""
+    return bool(curve[0, 0] < AT_CENTRE * half_breadth_px and curve[0, 1] > height_px)
 
 
 def marks_on_loops(

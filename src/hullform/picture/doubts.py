@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 from hullform.errors import PictureError
 from hullform.picture.half import HalfReading
 from hullform.picture.ink import Ink
+from hullform.picture.named_half import NamedHalf
 from hullform.picture.naming import NO_CURVE
 
 Array = NDArray[np.float64]
@@ -34,22 +34,6 @@ DEEP = 0.06  # of B/2: what hangs down from the base line less far is a label or
 EDGE_PX = 2.5
 FEWEST_CUT = 3  # lines at the picture's edge: one or two may be the scanner's
 WIDEST_STROKE_PX = 40
-
-
-@dataclass(frozen=True, eq=False)
-class NamedHalf:
-    """One half with its stations from the centre line outwards and the index of the curve that each got."""
-
-    reading: HalfReading
-    inner_first: tuple[float, ...]
-    assigned: tuple[int, ...]
-
-    @property
-    def shared(self) -> tuple[float, ...]:
-        """The stations of the parallel body: those that share the outermost curve."""
-        outermost = len(self.reading.curves) - 1
-        names = [x for x, n in zip(self.inner_first, self.assigned, strict=True) if n == outermost]
-        return tuple(sorted(names)) if len(names) > 1 else ()
 
 
 def doubts_of_counts(halves: Sequence[NamedHalf]) -> list[str]:
@@ -79,16 +63,16 @@ def doubts_of_parallel_body(halves: Sequence[NamedHalf], length_between_perpendi
     sharing = [half for half in halves if half.shared]
     for half in sharing:
         name, curves, listed = half.reading.half, len(set(half.assigned) - {NO_CURVE}), len(half.inner_first)
-        words = ", ".join(f"{x:g}" for x in half.shared)
+        words = half.names.several(half.shared)
         reach = float(half.reading.curves[-1][:, 0].max()) / half.reading.frame.half_breadth_px
         if listed - curves > MOST_UNDRAWN * listed:
             doubts.append(
-                f"{name} half: {curves} curves for {listed} stations, so that {words} m would share the outermost; "
+                f"{name} half: {curves} curves for {listed} stations, so that {words} would share the outermost; "
                 f"check {name}_stations_m and aft_side"
             )
         elif reach < FULLEST:
             doubts.append(
-                f"{name} half: {curves} curves for {listed} stations, but the outermost, which {words} m would share, "
+                f"{name} half: {curves} curves for {listed} stations, but the outermost, which {words} would share, "
                 f"reaches only {100 * reach:.1f} % of B/2 and is no parallel body; check {name}_stations_m"
             )
     shared = [x for half in sharing for x in half.shared]
@@ -169,9 +153,10 @@ def doubts_of_keel(readings: Sequence[HalfReading], depth_m: float) -> list[str]
         readings: of both halves.
         depth_m: of ship.toml.
     """
-    fullest = [(float(reading.curves[-1][:, 1].min()), reading) for reading in readings if reading.curves]
-    keel_px, reading = min(fullest, key=lambda pair: pair[0])
-    keel_m = keel_px * reading.frame.metres_per_px
+    scale = readings[0].frame.metres_per_px
+    # single curves are led down a wrong line now and then, so the fuller third of them decides
+    keels = [float(c[:, 1].min()) for r in readings for c in r.curves[-max(1, len(r.curves) // 3) :]]
+    keel_m = float(np.median(keels)) * scale
     if keel_m <= HIGHEST_KEEL * depth_m:
         return []
     return [

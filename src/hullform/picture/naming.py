@@ -26,6 +26,9 @@ MARK_NOISE_PX = 5.0  # a hand's error and half a line: curves so near are all me
 FARTHEST_MARK_PX = 200.0  # a mark farther from every curve says no more than this
 LEVELS = (0.08, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95)  # of the highest curve: where fairness is judged
 COST_OF_ANOTHER = 1e5  # curve than the one drawn for a station
+LEVEL = 0.06  # rise over run: a deck with camber or sheer rises less, a section more
+HIGH = 0.5  # of the highest curve: no section lies wholly above it that is level
+CERTAINTY_OF_LEVEL = 0.1
 NO_CURVE = -1
 
 
@@ -35,6 +38,7 @@ def assign_stations(
     certainty: Sequence[float],
     mark_distance_px: Array | None = None,
     fixed: Sequence[tuple[int, int]] = (),
+    label_cost: Array | None = None,
 ) -> list[int]:
     """The curve of each station, both counted from the centre line outwards; never decreasing; -1 without a curve.
 
@@ -46,12 +50,15 @@ def assign_stations(
         certainty: 0..1 of each curve: how dear it is to leave it without a name.
         mark_distance_px: (stations, curves) distance of each station's mark from each curve, NaN where it has none.
         fixed: station and curve that a person drew for it, both by index and in the same order.
+        label_cost: (stations, curves) what speaks against each pair by the labels of the drawing.
     """
     stations, curves = len(positions_m), len(half_breadths)
     x = np.asarray(positions_m, dtype=np.float64)
     marks = np.zeros((stations, curves)) if mark_distance_px is None else np.nan_to_num(mark_distance_px)
     at = np.clip(marks - MARK_NOISE_PX, 0.0, FARTHEST_MARK_PX)
     undrawn = COST_OF_UNDRAWN_STATION + np.where(np.ptp(at, axis=1) > 0, FARTHEST_MARK_PX, 0.0)
+    if label_cost is not None:
+        at = at + label_cost
     for station, curve in fixed:
         at[station] = COST_OF_ANOTHER
         at[station, curve] = 0.0
@@ -112,6 +119,22 @@ def _unfairness(half_breadths: Array, share: float) -> Array:
     known = np.isfinite(beside)
     total = np.where(known, beside, 0.0).sum(axis=-1)
     return np.asarray(COST_OF_UNFAIRNESS * total / np.maximum(known.sum(axis=-1), 1))
+
+
+def certainties(curves: Sequence[Array], confidences: Sequence[float]) -> list[float]:
+    """How surely each curve is a station's: its confidence, but little for a level line high up, a deck's.
+
+    Args:
+        curves: (n, 2) points of each, px, keel to deck.
+        confidences: 0..1 of each.
+    """
+    top = max((float(curve[:, 1].max()) for curve in curves), default=1.0)
+    certain = []
+    for curve, confidence in zip(curves, confidences, strict=True):
+        across, up = np.ptp(curve, axis=0)
+        level = up < LEVEL * across and curve[:, 1].min() > HIGH * top
+        certain.append(confidence * (CERTAINTY_OF_LEVEL if level else 1.0))
+    return certain
 
 
 def half_breadths_at(curves: Sequence[Array], half_breadth_px: float) -> Array:

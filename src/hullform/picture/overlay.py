@@ -101,12 +101,13 @@ def _drawn_once(stations: list[Station]) -> list[tuple[Station, str]]:
     """Each drawn curve with the names of all stations that share it."""
     out: list[tuple[Station, str]] = []
     seen: set[float] = set()
+    names = {station.x_m: station.name for station in stations}
     for station in stations:
         if station.x_m in seen:
             continue
         seen |= {station.x_m, *station.shared_with_m}
         everyone = sorted((station.x_m, *station.shared_with_m))
-        out.append((station, station.name if len(everyone) == 1 else f"{everyone[0]:g}-{everyone[-1]:g}"))
+        out.append((station, station.name if len(everyone) == 1 else f"{names[everyone[0]]}-{names[everyone[-1]]}"))
     return out
 
 

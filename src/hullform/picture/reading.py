@@ -9,14 +9,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from hullform.body_plan import BodyPlan, Calibration, Half, Station, TracedCurve
-from hullform.corrections import Correction, Drawn
+from hullform.body_plan import BodyPlan, Calibration, Half
+from hullform.corrections import Correction
 from hullform.errors import PictureError
-from hullform.picture.contours import NO_LOOP, marks_on_loops, pair_loops
-from hullform.picture.corrected import correct_ink
 from hullform.picture.crosschecks import crosscheck
 from hullform.picture.doubts import (
-    NamedHalf,
     doubts_below_base,
     doubts_of_counts,
     doubts_of_edges,
@@ -25,23 +22,24 @@ from hullform.picture.doubts import (
     doubts_of_scale,
 )
 from hullform.picture.effects import Unheeded, unheeded_corrections
-from hullform.picture.half import HalfReading, trace_half
 from hullform.picture.image_files import Picture
 from hullform.picture.input_check import check_input
+from hullform.picture.label_doubts import doubts_of_sides
 from hullform.picture.likeness import explained
-from hullform.picture.marks import near_curves, place_marks, unheeded
-from hullform.picture.naming import NO_CURVE, assign_stations, half_breadths_at, mark_distances
+from hullform.picture.named_half import read_half
 from hullform.picture.placing import place_corrections
 from hullform.picture.reduction import Reduction
-from hullform.picture.seen import SeenCurve, StationDoubt, UnusedLine, seen_curves, unused_lines
-from hullform.picture.sheet import Sheet, prepare_sheet
+from hullform.picture.seen import SeenCurve, StationDoubt, UnusedLine
+from hullform.picture.sheet import HALVES, Sheet, prepare_sheet
 from hullform.review_file import read_review
-from hullform.ship import Mark, Ship
+from hullform.ship import Ship
 
 Array = NDArray[np.float64]
 
-FEWEST_CURVES = 3  # of a half: fewer are no body plan
-LOW_CONFIDENCE = 0.5
+LABELS_NOT_READ = (
+    "the labels of the drawing were not read, which might settle doubts about names: install the extra 'ocr' "
+    "(pip install 'hullform[ocr]')"
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,84 +120,34 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
         PictureError: too few curves.
     """
     path, source, main = sheet.path, ship.body_plan, ship.particulars
-    halves: list[NamedHalf] = []
-    stations: list[Station] = []
-    notes, doubts = list(sheet.calibrated.notes), list(sheet.calibrated.doubts)
-    station_doubts: list[StationDoubt] = []
-    curves: list[SeenCurve] = []
-    unused: list[UnusedLine] = []
+    named_at_all = bool(source.aft_station_names or source.fore_station_names)
+    labels = sheet.labels if named_at_all else ()
     placed = place_corrections(corrections, {half: ink.frame for half, ink in sheet.halves.items()}, sheet.reduction)
-    of_lines: set[str] = set()
-    of_ink: set[str] = set()
-    used_marks: set[Mark] = set()
-    named: tuple[tuple[Half, tuple[float, ...]], ...] = (
-        ("aft", source.aft_stations_m),
-        ("fore", source.fore_stations_m),
-    )
-    for half, names in named:
-        prepared, heeded = correct_ink(sheet.halves[half], placed[half])
-        of_ink |= heeded
-        frame = prepared.frame
-        # from the centre line outwards: the aft half from aft forward, the fore half from forward aft
-        inner_first = names if half == "aft" else names[::-1]
-        by_hand = {(c.station_m, c.curve) for c in corrections if isinstance(c, Drawn) and c.half == half}
-        marks, doubts_of_marks = place_marks(
-            [mark for mark in source.marks if mark.half == half and (mark.station_m, mark.curve) not in by_hand],
-            inner_first,
-            frame,
-            sheet.size_px,
-            sheet.reduction,
-        )
-        reading = trace_half(prepared, len(names), tuple((m.y_px, m.z_px) for m in marks), placed[half])
-        if len(reading.curves) < min(FEWEST_CURVES, len(names)):
-            raise PictureError(
-                f"{path}: too few curves: {len(reading.curves)} found in the {half} half, which has {len(names)} "
-                f"stations ({half}_stations_m); "
-                "check aft_side, breadth_m, depth_m and the calibration, or give a clearer picture"
-            )
-        loops = [loop.points for loop in reading.loops]
-        marks, on_loops = marks_on_loops(marks, reading.curves, loops, frame.half_breadth_px)
-        used_marks |= {mark.mark for mark, _ in on_loops}
-        marks, doubts_of_places = near_curves(marks, reading.curves, frame.half_breadth_px)
-        at = [(mark.station, mark.y_px, mark.z_px) for mark in marks]
-        assigned = assign_stations(
-            inner_first,
-            half_breadths_at(reading.curves, frame.half_breadth_px),
-            reading.confidences,
-            mark_distances(reading.curves, at, len(names)),
-            [(_index(inner_first, x), number) for number, x in reading.drawn],
-        )
-        second = pair_loops(
-            loops,
-            [None if number == NO_CURVE else reading.curves[number] for number in assigned],
-            frame.half_breadth_px,
-            [(mark.station, loop) for mark, loop in on_loops],
-            [_index(inner_first, x) for x, _ in reading.second_contours],
-        )
-        used_marks |= {mark.mark for mark in marks}
-        of_lines |= set(reading.unheeded)
-        named_here, doubts_here = _stations(reading, inner_first, assigned, second, notes, doubts)
-        stations += named_here
-        station_doubts += doubts_here
-        curves += seen_curves(
-            reading, _by_curve(inner_first, assigned), _by_curve(inner_first, second), sheet.reduction
-        )
-        unused += unused_lines(reading, sheet.reduction)
-        doubts += [doubt.text for doubt in doubts_here] + doubts_of_marks + doubts_of_places
-        doubts += unheeded(marks, reading.curves, assigned, frame.half_breadth_px)
-        halves.append(NamedHalf(reading, inner_first, tuple(assigned)))
-    without_effect = unheeded_corrections(corrections, of_lines, of_ink, used_marks)
-    doubts += [item.text for item in without_effect]
+    halves = [read_half(sheet, ship, half, corrections, placed[half], labels or ()) for half in HALVES]
     readings = [half.reading for half in halves]
-    doubts += doubts_of_scale(str(path), readings, sheet.ink, sheet.bare, main.breadth_m, main.depth_m)
-    doubts += doubts_below_base(readings, sheet.bare) + doubts_of_keel(readings, main.depth_m)
-    doubts += doubts_of_counts(halves)
-    doubts += doubts_of_parallel_body(halves, main.length_between_perpendiculars_m)
-    doubts += crosscheck(stations, main, ship.water)
-    fine_notes, fine_doubts = check_input(path.name, sheet.halves.values(), sheet.size_px[0])
-    notes += fine_notes
-    doubts += fine_doubts
-    doubts += doubts_of_edges(readings, sheet.bare)
+    stations = [station for half in halves for station in half.stations]
+    without_effect = unheeded_corrections(
+        corrections,
+        {id for half in halves for id in half.reading.unheeded},
+        {id for half in halves for id in half.heeded_by_ink},
+        {mark for half in halves for mark in half.used_marks},
+    )
+    doubts_of_names = [
+        *(doubt for half in halves for doubt in half.doubts),
+        *(item.text for item in without_effect),
+        *doubts_of_scale(str(path), readings, sheet.ink, sheet.bare, main.breadth_m, main.depth_m),
+        *doubts_below_base(readings, sheet.bare),
+        *doubts_of_keel(readings, main.depth_m),
+        *doubts_of_counts(halves),
+        *doubts_of_parallel_body(halves, main.length_between_perpendiculars_m),
+        *doubts_of_sides([half.labels for half in halves]),
+        *crosscheck(stations, main, ship.water),
+    ]
+    notes_of_input, doubts_of_input = check_input(path.name, sheet.halves.values(), sheet.size_px[0])
+    notes = [*sheet.calibrated.notes, *(note for half in halves for note in half.notes), *notes_of_input]
+    if labels is None and doubts_of_names:
+        notes.append(LABELS_NOT_READ)
+    doubts = [*sheet.calibrated.doubts, *doubts_of_names, *doubts_of_input, *doubts_of_edges(readings, sheet.bare)]
     calibration = sheet.calibrated.calibration
     body_plan = BodyPlan(tuple(stations), "picture", sheet.reduction.stored(calibration), tuple(notes), tuple(doubts))
     scale = calibration.metres_per_px
@@ -219,82 +167,8 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
         "aft" if source.aft_side == "left" else "fore",
         sheet.calibrated.grid_m,
         sheer_m,
-        tuple(curves),
-        tuple(unused),
-        tuple(station_doubts),
+        tuple(curve for half in halves for curve in half.curves),
+        tuple(line for half in halves for line in half.unused),
+        tuple(doubt for half in halves for doubt in half.unsure),
         without_effect,
     )
-
-
-def _index(inner_first: tuple[float, ...], station_m: float) -> int:
-    return int(np.argmin([abs(x - station_m) for x in inner_first]))
-
-
-def _by_curve(inner_first: tuple[float, ...], assigned: list[int]) -> dict[int, list[float]]:
-    out: dict[int, list[float]] = {}
-    for x, number in zip(inner_first, assigned, strict=True):
-        out.setdefault(number, []).append(x)
-    return out
-
-
-def _in_metres(points_px: Array, metres_per_px: float, confidence: float) -> TracedCurve:
-    return TracedCurve(points_px[:, 0] * metres_per_px, points_px[:, 1] * metres_per_px, confidence)
-
-
-def _stations(
-    reading: HalfReading,
-    inner_first: tuple[float, ...],
-    assigned: list[int],
-    second: list[int],
-    notes: list[str],
-    doubts: list[str],
-) -> tuple[list[Station], list[StationDoubt]]:
-    """The stations of a half with their curves in metres, and which are not sure; reports what was shared."""
-    scale = reading.frame.metres_per_px
-    curves = [
-        _in_metres(points, scale, confidence)
-        for points, confidence in zip(reading.curves, reading.confidences, strict=True)
-    ]
-    contours = {
-        place: _in_metres(reading.loops[loop].points, scale, reading.loops[loop].confidence)
-        for place, loop in enumerate(second)
-        if loop != NO_LOOP
-    }
-    contours |= {_index(inner_first, x): _in_metres(points, scale, 1.0) for x, points in reading.second_contours}
-    stations: list[Station] = []
-    unsure: list[StationDoubt] = []
-    for place, (x, number) in enumerate(zip(inner_first, assigned, strict=True)):
-        further = (contours[place],) if place in contours else ()
-        if number == NO_CURVE:
-            what = "only a contour that closes on the centre line was found" if further else "not found"
-            text = f"station {x:g} m ({reading.half} half): {what}; mark a point of its curve in [[body_plan.marks]]"
-            unsure.append(StationDoubt(x, reading.half, text))
-            if further:
-                stations.append(Station(x, reading.half, further))
-            continue
-        others = tuple(sorted(o for o, n in zip(inner_first, assigned, strict=True) if n == number and o != x))
-        stations.append(Station(x, reading.half, (curves[number], *further), shared_with_m=others))
-        if curves[number].confidence < LOW_CONFIDENCE:
-            text = (
-                f"station {x:g} m ({reading.half} half): traced with confidence {curves[number].confidence:.2f}; "
-                "look at it in the overlay"
-            )
-            unsure.append(StationDoubt(x, reading.half, text))
-    named = set(assigned) - {NO_CURVE}
-    for number in sorted(named):
-        shared = sorted(x for x, n in zip(inner_first, assigned, strict=True) if n == number)
-        if len(shared) > 1:
-            words = ", ".join(f"{x:g}" for x in shared)
-            notes.append(f"{reading.half} half: stations {words} m share one drawn curve (parallel body)")
-            if number != len(curves) - 1:
-                doubts.append(
-                    f"stations {words} m of the {reading.half} half share a curve that is not the outermost; "
-                    "check their marks"
-                )
-    unnamed = len(curves) - len(named) - reading.unlisted
-    if unnamed > 0:
-        doubts.append(f"{unnamed} curves of the {reading.half} half have no station; check {reading.half}_stations_m")
-    found = f"{len(named)} curves for {len(inner_first)} stations"
-    deck = "sheer line found" if reading.sheer is not None else "no sheer line beside the deck line"
-    notes.append(f"{reading.half} half: {found}; {deck}")
-    return stations, unsure

@@ -6,6 +6,7 @@ All that takes time and needs no station is done here, once; `reading.read_sheet
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 from hullform.body_plan import Half
@@ -15,6 +16,7 @@ from hullform.picture.frame import DiagonalFrame
 from hullform.picture.half import HalfInk, prepare_half
 from hullform.picture.image_files import Picture, load_grey
 from hullform.picture.ink import Ink, ink_of
+from hullform.picture.labels import Label, can_read_labels, read_labels
 from hullform.picture.likeness import explained, require_upright
 from hullform.picture.lines import find_lines, subtract_lines
 from hullform.picture.reduction import Reduction, reduced
@@ -47,6 +49,11 @@ class Sheet:
     bare: Ink
     calibrated: CalibratedSheet
     halves: dict[Half, HalfInk]
+
+    @cached_property
+    def labels(self) -> tuple[Label, ...] | None:
+        """The words on the picture, read when first asked for; None where nothing is installed to read them."""
+        return read_labels(self.grey) if can_read_labels() else None
 
 
 def prepare_sheet(ship: Ship) -> Sheet:

@@ -64,6 +64,8 @@ class Desk:
                     "aft_side": source.aft_side,
                     "aft_stations_m": list(source.aft_stations_m),
                     "fore_stations_m": list(source.fore_stations_m),
+                    "aft_station_names": list(source.aft_station_names),
+                    "fore_station_names": list(source.fore_station_names),
                 },
                 "marks": len(source.marks),
                 "calibrated": source.calibration is not None,

@@ -16,7 +16,7 @@ TOKEN_HEADER = "x-review-token"
 LOOPBACK_HOSTS = frozenset({"127.0.0.1", "localhost", "[::1]"})
 READING_METHODS = frozenset({"GET", "HEAD"})
 POLICY = {
-    "content-security-policy": "default-src 'self'; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; "
+    "content-security-policy": "default-src 'self'; img-src 'self' data:; "
     "frame-ancestors 'none'; base-uri 'none'; form-action 'none'",
     "cross-origin-resource-policy": "same-origin",
     "x-content-type-options": "nosniff",

@@ -14,6 +14,7 @@ from hullform.picture.sheet import HALVES, Sheet
 from hullform.review.evidence import Evidence
 from hullform.review.form import area_below, waterlines
 from hullform.ship import Ship
+from hullform.station_names import StationNames
 
 Array = NDArray[np.float64]
 Document = dict[str, Any]
@@ -35,8 +36,8 @@ def reading_document(sheet: Sheet, reading: PictureReading, ship: Ship) -> Docum
     heights = [share * reading.draught_m for share in WATERLINE_SHARES]
     heights.append((reading.draught_m + reading.depth_m) / 2)
     evidence = {half: Evidence(sheet.halves[half], sheet.reduction) for half in HALVES}
-    names = {(station.half, station.x_m): station.name for station in stations}
-    curves = [_curve(seen, evidence[seen.half], names) for seen in reading.curves]
+    names = {half: ship.body_plan.names_of(half) for half in HALVES}
+    curves = [_curve(seen, evidence[seen.half], names[seen.half]) for seen in reading.curves]
     return {
         "calibration": calibration_document(reading.calibration, sheet),
         "left_half": reading.left_half,
@@ -89,8 +90,7 @@ def standing(confidence: float) -> Literal["sure", "fair", "poor"]:
 
 
 def _half(half: Half, ship: Ship, stations: tuple[Station, ...], curves: list[Document]) -> Document:
-    source = ship.body_plan
-    names = source.aft_stations_m if half == "aft" else source.fore_stations_m
+    names = ship.body_plan.names_of(half)
     found = {station.x_m: station for station in stations if station.half == half}
     residual: dict[float, float] = {}
     for curve in curves:
@@ -98,12 +98,12 @@ def _half(half: Half, ship: Ship, stations: tuple[Station, ...], curves: list[Do
             for x in curve["stations_m"]:
                 residual[x] = max(residual.get(x, 0.0), curve["residual_px"])
     rows = []
-    for x in names:
+    for x in names.positions_m:
         station = found.get(x)
         rows.append(
             {
                 "x_m": x,
-                "name": f"{x:g}" if station is None else station.name,
+                "name": names.of(x),
                 "standing": "missing" if station is None else standing(station.confidence),
                 "confidence": None if station is None else station.confidence,
                 "shared_with_m": [] if station is None else list(station.shared_with_m),
@@ -111,17 +111,15 @@ def _half(half: Half, ship: Ship, stations: tuple[Station, ...], curves: list[Do
                 "residual_px": residual.get(x),
             }
         )
-    return {"half": half, "expected": len(names), "found": sum(x in found for x in names), "stations": rows}
+    return {"half": half, "expected": len(rows), "found": sum(x in found for x in names.positions_m), "stations": rows}
 
 
-def _curve(seen: SeenCurve, evidence: Evidence, names: dict[tuple[Half, float], str]) -> Document:
-    stations = seen.stations_m
-    label = "?" if not stations else names.get((seen.half, stations[0]), f"{stations[0]:g}")
-    if len(stations) > 1:
-        label += "–" + names.get((seen.half, stations[-1]), f"{stations[-1]:g}")
+def _curve(seen: SeenCurve, evidence: Evidence, names: StationNames) -> Document:
+    ends = dict.fromkeys((*seen.stations_m[:1], *seen.stations_m[-1:]))
+    label = "–".join(names.of(x) or f"{x:g}" for x in ends) or "?"
     return {
         "half": seen.half,
-        "stations_m": list(stations),
+        "stations_m": list(seen.stations_m),
         "label": label,
         "curve": seen.number,
         "standing": _standing_of(seen),

@@ -4,7 +4,7 @@ import * as api from "./api.js";
 import { assumed, matrixOf } from "./calibration.js";
 import { inverse, mapped, nearestLine } from "./geometry.js";
 import { History } from "./history.js";
-import { correctionById } from "./review_document.js";
+import { correctionById, keptNames } from "./review_document.js";
 
 const SNAP_SCREEN_PX = 9; // a click so near to a line means the line,
 const SNAP_PICTURE_PX = 12; // but never farther in the picture than this
@@ -41,8 +41,18 @@ export class App {
     return this.tentative ?? this.history.document;
   }
 
+  // The stations as the review has them; without names of its own each keeps the one of ship.toml.
   get stations() {
-    return this.document.stations ?? this.ship.stations;
+    const own = this.document.stations;
+    if (!own) return this.ship.stations;
+    const names = ["aft", "fore"].map((half) => [`${half}_station_names`, keptNames(this.ship.stations, own, half)]);
+    return { ...own, ...Object.fromEntries(names) };
+  }
+
+  // What the drawing calls a station, else its x.
+  nameOf({ half, x_m }) {
+    const at = this.stations[`${half}_stations_m`].findIndex((x) => Math.abs(x - x_m) < 1e-3);
+    return this.stations[`${half}_station_names`][at] ?? `${x_m}`;
   }
 
   get leftHalf() {
@@ -54,7 +64,13 @@ export class App {
     if (this.draft) return { ...this.draft, pixel_from_metres: matrixOf(this.draft), grid_m: null };
     if (this.reading) return this.reading.calibration;
     const figures = { ...assumed(this.picture, this.ship), ...this.document.calibration };
-    return { ...figures, pixel_from_metres: matrixOf(figures), grid_m: null, residual_px: 0, source: "assumed" };
+    return {
+      ...figures,
+      pixel_from_metres: matrixOf(figures),
+      grid_m: null,
+      residual_px: 0,
+      source: "a guess to start from: nothing was found",
+    };
   }
 
   get selectedCorrection() {

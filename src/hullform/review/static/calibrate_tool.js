@@ -13,7 +13,7 @@ function places({ breadth_m, depth_m }) {
   return {
     "centre line": [0, 0.62 * depth_m],
     "base line": [0.3 * half, 0],
-    turn: [-1.08 * half, 0],
+    turn: [-0.7 * half, 0],
     "B/2": [half, 0.4 * depth_m],
     "B/2 left": [-half, 0.4 * depth_m],
     depth: [0.3 * half, depth_m],
@@ -30,7 +30,7 @@ export const calibrateTool = {
   hint() {
     return this.pointMode
       ? "Click places whose half-breadth and height you know, and type these at the side: two, better four to eight."
-      : "Drag the centre line, base line, B/2 and depth onto those of the drawing; the ring at the left turns all.";
+      : "Drag the centre line, base line, B/2 and depth onto those of the drawing; the ring called turn turns them.";
   },
   setPointMode(app, on) {
     this.pointMode = on;
@@ -69,6 +69,7 @@ export const calibrateTool = {
   follow(app) {
     const given = app.document.calibration?.points;
     if (given?.length) this.points = given;
+    else if (this.points.length > 1) this.points = [];
   },
 };
 

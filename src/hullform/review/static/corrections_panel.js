@@ -46,7 +46,7 @@ function row(app, one) {
         { viewBox: "-8 -8 16 16", width: 14, height: 14, "aria-hidden": "true" },
         shape("path", { d: signOf(one.kind), class: `sign ${one.kind}` }),
       ),
-      describe(one),
+      describe(one, (station) => app.nameOf(station)),
       doubt ? make("span", { class: "warning", title: doubt }, "no effect") : null,
     ),
     one.kind === "drawn"
@@ -61,7 +61,7 @@ function row(app, one) {
       {
         class: "small",
         "data-key": `drop ${one.id}`,
-        "aria-label": `Remove ${describe(one)}`,
+        "aria-label": `Remove ${describe(one, (station) => app.nameOf(station))}`,
         onclick: () => app.change(without(app.document, one.id), `remove ${one.kind}`),
       },
       "×",

@@ -83,7 +83,7 @@ function lines(app) {
         shape("path", {
           d: pathOf(line.points.map(([x, y]) => at(x, y))),
           class: "waterline",
-          style: `opacity:${0.35 + (0.65 * (index + 1)) / drawn.length}`,
+          opacity: 0.35 + (0.65 * (index + 1)) / drawn.length,
         }),
       ),
       app.station

@@ -35,7 +35,10 @@ export function listenToKeys(app) {
     // Enter and the arrows are a button's own where it has the focus
     if (event.key === "Enter" && event.target.closest("button, summary")) return;
     if (event.key in ARROWS) {
-      if (event.target.closest("aside")) return;
+      if (event.target.closest("aside")) {
+        walk(event);
+        return;
+      }
       const [dx, dy] = ARROWS[event.key];
       app.viewport.panBy(dx * STEP_PX, dy * STEP_PX);
     } else {
@@ -48,6 +51,17 @@ export function listenToKeys(app) {
     }
     event.preventDefault();
   });
+}
+
+// Up and down go through the stations of a half.
+function walk(event) {
+  const row = event.target.closest(".station")?.parentElement;
+  const next = { ArrowUp: row?.previousElementSibling, ArrowDown: row?.nextElementSibling }[event.key];
+  if (!next) return;
+  event.preventDefault();
+  const button = next.querySelector("button");
+  button.focus();
+  button.click();
 }
 
 function withControl(app, event, typing) {

@@ -78,7 +78,7 @@ export const drawTool = gathering({
     const { station } = app;
     if (!station) return "Choose a station in the list, then click points along its curve from keel to deck.";
     const contour = app.secondContour ? "the second contour" : "the curve";
-    const which = `${contour} of station ${station.x_m} (${station.half})`;
+    const which = `${contour} of station ${app.nameOf(station)} (${station.half})`;
     const between = this.smooth ? "smooth" : "straight";
     return this.points.length
       ? `${this.points.length} points of ${which}. Enter ends, Backspace takes one back, Esc drops them.`
@@ -104,7 +104,7 @@ export const drawTool = gathering({
       px: points,
       smooth: this.smooth,
     };
-    app.change(withOnly(app.document, drawn), `draw station ${x_m}`);
+    app.change(withOnly(app.document, drawn), `draw station ${app.nameOf({ half, x_m })}`);
     const next = stationAfter(app, app.station);
     if (!app.secondContour && next) app.selectStation(next);
   },
@@ -137,6 +137,7 @@ export const ignoreTool = gathering({
   fewest: 3,
   closed: true,
   snaps: false,
+  box: null, // while one is being dragged
   hint() {
     return this.points.length
       ? `${this.points.length} corners. Enter or the first corner closes the outline, Esc drops it.`
@@ -150,14 +151,17 @@ export const ignoreTool = gathering({
     const tool = this;
     return {
       move(to) {
-        tool.points = [px, [to[0], px[1]], to, [px[0], to[1]]];
+        tool.box = [px, [to[0], px[1]], to, [px[0], to[1]]];
         app.changed("preview");
       },
       drop() {
-        tool.finish(app);
+        const { box } = tool;
+        tool.box = null;
+        tool.done(app, box);
       },
       cancel() {
-        tool.cancel(app);
+        tool.box = null;
+        app.changed("preview");
       },
     };
   },
@@ -167,8 +171,8 @@ export const ignoreTool = gathering({
     return near ? " " : null;
   },
   preview(app) {
-    if (!this.points.length) return [];
-    const points = app.pointer && this.points.length !== 4 ? [...this.points, app.pointer] : this.points;
+    const points = this.box ?? (this.points.length && app.pointer ? [...this.points, app.pointer] : this.points);
+    if (!points.length) return [];
     return [shape("path", { d: pathOf(points, true), class: "correction ignore preview-line" })];
   },
   done(app, points) {

@@ -109,7 +109,8 @@ export function needsStation(app, px) {
   const half = app.halfAt(px);
   const slack = 0.01 * app.ship.breadth_m;
   if (half !== app.station.half && Math.abs(app.metresAt(px)[0]) > slack) {
-    return `Station ${app.station.x_m} is of the ${app.station.half} half, but you clicked in the ${half} half.`;
+    const name = app.nameOf(app.station);
+    return `Station ${name} is of the ${app.station.half} half, but you clicked in the ${half} half.`;
   }
   return null;
 }
@@ -124,7 +125,8 @@ export const markTool = {
     const { station } = app;
     if (!station) return "Choose a station in the list, then click its curve.";
     const which = app.secondContour ? "second contour" : "curve";
-    return `Click the ${which} of station ${station.x_m} (${station.half}); the next station follows by itself.`;
+    const named = `${app.nameOf(station)} (${station.half})`;
+    return `Click the ${which} of station ${named}; the next station follows by itself.`;
   },
   enter(app) {
     if (!app.station) app.station = { half: "aft", x_m: app.stations.aft_stations_m[0] };
@@ -138,7 +140,7 @@ export const markTool = {
     const { half, x_m } = app.station;
     const mark = { kind: "mark", station_m: x_m, half, px: app.snap(px, event), curve: app.secondContour ? 1 : 0 };
     const next = stationAfter(app, app.station);
-    app.change(withOnly(app.document, mark), `mark station ${x_m}`);
+    app.change(withOnly(app.document, mark), `mark station ${app.nameOf({ half, x_m })}`);
     if (!app.secondContour && next) app.selectStation(next);
   },
 };

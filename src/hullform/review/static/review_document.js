@@ -57,7 +57,16 @@ export function withCalibration(document, calibration) {
 export function withStations(document, stations) {
   const listed = (one) =>
     one.station_m === undefined || stations[`${one.half}_stations_m`].some((x) => Math.abs(x - one.station_m) < 1e-3);
-  return { ...document, stations, corrections: corrections(document).filter(listed) };
+  const named = Object.entries(stations).filter(([key, value]) => !key.endsWith("_names") || value.length);
+  return { ...document, stations: Object.fromEntries(named), corrections: corrections(document).filter(listed) };
+}
+
+// The names of a changed list of stations: its own, else those of the former list, new stations called by their x.
+export function keptNames(former, changed, half) {
+  const own = changed[`${half}_station_names`] ?? [];
+  const [before, names] = [former[`${half}_stations_m`], former[`${half}_station_names`]];
+  if (own.length || !names.length) return own;
+  return changed[`${half}_stations_m`].map((x) => names[before.indexOf(x)] ?? `${x} m`);
 }
 
 const isPoint = (px) => typeof px[0] === "number";
@@ -70,11 +79,11 @@ export function withPoint(correction, index, point) {
   return { ...correction, px: correction.px.map((old, at) => (at === index ? point : old)) };
 }
 
-export function describe(correction) {
+export function describe(correction, nameOf) {
   const words = KINDS[correction.kind];
   if (correction.station_m !== undefined) {
     const second = correction.curve ? ", second contour" : "";
-    return `${words}, ${correction.half} ${correction.station_m}${second}`;
+    return `${words}, ${correction.half} ${nameOf({ half: correction.half, x_m: correction.station_m })}${second}`;
   }
   return correction.half ? `${words}, ${correction.half}` : words;
 }

@@ -3,7 +3,8 @@
 import { byId, make, redraw } from "./dom.js";
 import { showStation } from "./doubtful.js";
 import { sameStation } from "./layers.js";
-import { corrections, withStations } from "./review_document.js";
+import { corrections } from "./review_document.js";
+import { stationEditor } from "./station_editor.js";
 
 const WORDS = { sure: "sure", fair: "look at it", poor: "poor", missing: "not found" };
 
@@ -18,14 +19,14 @@ export function drawStations(app) {
       { class: "key" },
       ...Object.entries(WORDS).map(([standing, words]) => make("span", { class: `swatch ${standing}` }, words)),
     ),
-    editor(app),
+    stationEditor(app),
   ]);
 }
 
 function drawHalf(app, half) {
   const read = app.reading?.halves.find((one) => one.half === half);
   const listed = app.stations[`${half}_stations_m`];
-  const rows = read?.stations ?? listed.map((x_m) => ({ x_m, name: `${x_m}`, standing: "missing", shared_with_m: [] }));
+  const rows = read?.stations ?? listed.map((x_m) => ({ x_m, name: "", standing: "missing", shared_with_m: [] }));
   const marked = new Set(
     corrections(app.document)
       .filter((one) => one.half === half && (one.kind === "mark" || one.kind === "drawn"))
@@ -48,7 +49,7 @@ function drawHalf(app, half) {
     make(
       "p",
       { class: "columns", "aria-hidden": "true" },
-      make("span", {}, "x, m"),
+      make("span", {}, rows.some((row) => row.name) ? "name, x" : "x, m"),
       make("span", { title: "distance from the line, px" }, "px"),
       make("span", { title: "confidence" }, "%"),
     ),
@@ -83,70 +84,9 @@ function button(app, half, row, marked) {
       ondblclick: () => showStation(app, station, true),
     },
     make("span", { class: "swatch", "aria-label": WORDS[row.standing] }),
-    make("span", { class: "name" }, row.name),
+    make("span", { class: "name" }, row.name || `${row.x_m}`, row.name ? make("small", {}, `${row.x_m}`) : null),
     make("span", { class: "with" }, row.shared_with_m.length ? "=" : "", row.curves > 1 ? "2" : "", sign),
     make("span", { class: "residual" }, row.residual_px ? row.residual_px.toFixed(1) : ""),
     make("span", { class: "sure" }, sure),
-  );
-}
-
-function editor(app) {
-  const { stations } = app;
-  const field = (half) =>
-    make(
-      "label",
-      {},
-      `${half}, x in m from aft forward`,
-      make(
-        "textarea",
-        {
-          rows: 3,
-          "data-key": `list ${half}`,
-          "data-list": half,
-          spellcheck: "false",
-          oninput: (event) => (event.target.dataset.dirty = ""),
-        },
-        stations[`${half}_stations_m`].join(", "),
-      ),
-    );
-  const apply = (event) => {
-    const details = event.target.closest("details");
-    const lists = ["aft", "fore"].map((half) => {
-      const area = details.querySelector(`[data-list=${half}]`);
-      delete area.dataset.dirty;
-      return [
-        `${half}_stations_m`,
-        area.value
-          .split(/[\s,;]+/)
-          .filter(Boolean)
-          .map(Number),
-      ];
-    });
-    if (lists.some(([, list]) => !list.length || list.some(Number.isNaN))) {
-      app.say("The lists of stations are numbers in metres, apart by commas.");
-      return;
-    }
-    app.change(withStations(app.document, { ...app.stations, ...Object.fromEntries(lists) }), "change the stations");
-  };
-  const swap = () => {
-    const aft_side = stations.aft_side === "left" ? "right" : "left";
-    app.change(withStations(app.document, { ...stations, aft_side }), "swap the halves");
-  };
-  return make(
-    "details",
-    { open: app.editingStations, ontoggle: (event) => (app.editingStations = event.target.open) },
-    make("summary", { "data-key": "edit stations" }, "Edit the list"),
-    field("aft"),
-    field("fore"),
-    make(
-      "p",
-      { class: "row" },
-      make("button", { "data-key": "apply stations", id: "apply-stations", onclick: apply }, "Use these"),
-      make(
-        "button",
-        { "data-key": "swap sides", id: "swap-sides", onclick: swap },
-        `Aft half is drawn ${stations.aft_side === "left" ? "right" : "left"}`,
-      ),
-    ),
   );
 }

@@ -15,7 +15,11 @@ export function drawStrip(app) {
   body.dataset.address = address;
   const residual = curve.residual_px === null ? "no line under it" : `${curve.residual_px.toFixed(2)} px from the line`;
   body.replaceChildren(
-    make("p", { class: "quiet" }, `station ${app.station.x_m} (${curve.half}), keel left, outboard up; ${residual}`),
+    make(
+      "p",
+      { class: "quiet" },
+      `station ${app.nameOf(app.station)} (${curve.half}), keel left, outboard up; ${residual}`,
+    ),
     make("div", { class: "strip" }, make("img", { src: address, alt: "The picture along the curve, straightened" })),
   );
 }
