@@ -9,9 +9,10 @@ from hullform.checks import Check
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.hull.loft import Hull
 from hullform.loading.distributions import Distribution, girder_from
-from hullform.loading.structure import Structure, shell_structure
+from hullform.loading.structure import Structure, structure_of
 from hullform.loading.weights import KG_PER_T, LightShip, condition_items, light_ship
-from hullform.ship import ConditionInput, Ship, StructureInput, WeightsInput
+from hullform.ship import ConditionInput, Ship, WeightsInput
+from hullform.ship_structure import StructureInput
 from hullvib.girder import Girder
 
 # Of everything on board about the neutral axis, over the depth: a hull full of weights spread evenly has 0.29 of its
@@ -45,7 +46,7 @@ class ShipAfloat:
     Attributes:
         hull: lofted.
         at_draught: hydrostatics at the design draught.
-        structure: the shell's section properties.
+        structure: section properties along the ship.
         light: steel, machinery and their estimates.
         checks: of the hull, the structure and the light ship.
         conditions: in the order of ship.toml.
@@ -71,7 +72,7 @@ def load_ship(ship: Ship, hull: Hull) -> ShipAfloat:
     """
     given, weights, conditions = ship.require_sections_of_a_run()
     at_draught = hull.hydrostatics(ship.particulars.draught_m, ship.water.density_kg_m3)
-    structure = shell_structure(hull, given)
+    structure = structure_of(hull, given)
     displacement_t = at_draught.displacement_kg / KG_PER_T
     light = light_ship(weights, hull, structure, ship.particulars, at_draught.block_coefficient, displacement_t)
     heaviest = max(conditions, key=lambda condition: condition.deadweight_t)
@@ -80,7 +81,7 @@ def load_ship(ship: Ship, hull: Hull) -> ShipAfloat:
         at_draught=at_draught,
         structure=structure,
         light=light,
-        checks=_checks_of_the_ship(ship, given, weights, at_draught, structure, light),
+        checks=_checks_of_the_ship(ship, given, weights, at_draught, structure, light, hull.midships_m),
         conditions=tuple(
             _afloat(ship, hull, structure, light, condition, at_draught if condition is heaviest else None)
             for condition in conditions
@@ -95,14 +96,16 @@ def _checks_of_the_ship(
     at_draught: Hydrostatics,
     structure: Structure,
     light: LightShip,
+    midships_m: float,
 ) -> tuple[Check, ...]:
     found = list(checks.checks_of_the_hull(ship.particulars, at_draught))
     if given.midship_second_moment_m4 is not None:
-        found.append(checks.check_thickness(structure.thickness_factor, given.shell_thickness_m))
+        found.append(checks.check_thickness(structure.thickness_factor, given))
     if light.machinery_and_outfit_estimate is not None:
         found.append(checks.check_light_ship(weights.semi_concentrated_weight_t, light.machinery_and_outfit_estimate))
     numeral = None if light.steel_given else checks.check_steel_numeral(ship.particulars)
-    return (*found, numeral) if numeral else tuple(found)
+    hatches = checks.check_hatches(ship.particulars, given, midships_m)
+    return (*found, *(check for check in (numeral, hatches) if check))
 
 
 def _afloat(

@@ -11,6 +11,7 @@ from hullform.hull.hydrostatics import Hydrostatics
 from hullform.loading import watson
 from hullform.rounding import short, significant
 from hullform.ship import Particulars
+from hullform.ship_structure import StructureInput
 from hullvib.plausibility import frequency_limits_hz
 
 # Reading, fitting and lofting together are good to some tenths of a per cent; ten times that is a fault somewhere.
@@ -24,6 +25,10 @@ TRIM_BY_STERN_LIMIT_PERCENT_LPP = 1.5
 TRIM_BY_BOW_LIMIT_PERCENT_LPP = 0.5
 # A shell of the given thickness stands for stiffeners, decks and bottom too: two to four times is usual.
 THICKNESS_FACTOR_LIMITS = (0.5, 6.0)
+# Where the members are given too, the model should come near: what is left is stiffeners, strakes and rounding.
+MODELLED_FACTOR_LIMITS = (0.7, 1.5)
+# Container ships have openings of four fifths of their breadth and more.
+HATCH_LIMITS_PERCENT_B = (50.0, 100.0)
 
 
 @dataclass(frozen=True)
@@ -121,16 +126,36 @@ def check_mesh(mesh_volume_m3: float, section_volume_m3: float) -> Check:
     )
 
 
-def check_thickness(factor: float, thickness_m: float) -> Check:
-    """The equivalent-thickness factor: what the given midship second moment makes of the shell."""
+def check_thickness(factor: float, given: StructureInput) -> Check:
+    """The equivalent-thickness factor: what the given midship second moment makes of the section as modelled."""
+    plain = given.is_plain_shell
+    section = f"the bare {1000 * given.shell_thickness_m:g} mm shell" if plain else "the section as modelled"
     return _within(
         "equivalent-thickness",
-        f"given midship second moment over that of the bare {1000 * thickness_m:g} mm shell",
+        f"given midship second moment over that of {section}",
         factor,
-        THICKNESS_FACTOR_LIMITS,
+        THICKNESS_FACTOR_LIMITS if plain else MODELLED_FACTOR_LIMITS,
         "",
-        "check midship_second_moment_m4 (in m4) and shell_thickness_m (in m)",
+        "check midship_second_moment_m4 (in m4) and shell_thickness_m (in m)"
+        if plain
+        else "check midship_second_moment_m4 (in m4), the plates' thicknesses (in m) and stiffener_share",
         usual=1.0,
+    )
+
+
+def check_hatches(particulars: Particulars, given: StructureInput, midships_m: float) -> Check | None:
+    """Whether a container ship is open amidships; None for ships of other types."""
+    if particulars.type != "container":
+        return None
+    return _within(
+        "hatch-openings",
+        "breadth of a container ship's hatch openings amidships over her own",
+        100 * given.opening_breadth_m(midships_m) / particulars.breadth_m,
+        HATCH_LIMITS_PERCENT_B,
+        "%",
+        "a closed box stands badly for an open ship: give [[structure.hatches]], with the double side and the thick "
+        "strakes at the deck that go with them",
+        usual=sum(HATCH_LIMITS_PERCENT_B) / 2,
     )
 
 

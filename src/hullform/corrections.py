@@ -9,7 +9,8 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from hullform.ship import Half, Mark, Number
+from hullform.quantities import Number
+from hullform.ship import Half, Mark
 
 Point = tuple[Number, Number]
 Pair = tuple[Point, Point]

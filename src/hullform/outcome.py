@@ -107,7 +107,7 @@ class Run:
         reading: the picture as read.
         hull: lofted from it.
         at_draught: hydrostatics at the design draught.
-        structure: the shell's section properties.
+        structure: section properties along the ship.
         light: steel, machinery and their estimates.
         checks: of the hull and the light ship; those of the conditions are theirs.
         conditions: by name, in the order of ship.toml.

@@ -65,8 +65,24 @@ class HullRecord(_Table):
     calibration: dict[str, Any] | None
 
 
+class PlatesRecord(_Table):
+    """Plates of one name in the half section at midships, as given: a polyline, gross thickness, stiffeners."""
+
+    name: str
+    y_m: list[Finite]
+    z_m: list[Finite]
+    thickness_m: Finite
+    stiffener_share: Finite
+    effective_share: Finite
+
+
 class StructureRecord(_Table):
-    """The shell at midships, and the curves along the ship."""
+    """The section at midships, and the curves along the ship; where a member begins or ends an x stands twice."""
+
+    plain_shell: bool
+    midship_plates: list[PlatesRecord]
+    steel_volume_m3: Finite
+    transverse_steel_m3: list[tuple[Finite, Finite]]
 
     midship_shell_second_moment_m4: Finite
     thickness_factor: Finite
@@ -81,7 +97,10 @@ class StructureRecord(_Table):
     area_m2: list[Finite]
     neutral_axis_m: list[Finite]
     second_moment_m4: list[Finite]
+    horizontal_second_moment_m4: list[Finite]
     shear_area_m2: list[Finite]
+    torsion_constant_m4: list[Finite]
+    steel_area_m2: list[Finite]
 
 
 class LightShipRecord(_Table):

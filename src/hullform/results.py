@@ -26,6 +26,7 @@ from hullform.records import (
     Headline,
     HullRecord,
     LightShipRecord,
+    PlatesRecord,
     Provenance,
     Results,
     Solution,
@@ -112,7 +113,20 @@ def _hull(run: Run) -> HullRecord:
 
 def _structure(run: Run) -> StructureRecord:
     structure = run.structure
+    given, _, _ = run.ship.require_sections_of_a_run()
     return StructureRecord(
+        plain_shell=given.is_plain_shell,
+        midship_plates=[
+            PlatesRecord(
+                name=plating.name,
+                y_m=plating.points[:, 0].tolist(),
+                z_m=plating.points[:, 1].tolist(),
+                **asdict(plating.scantling),
+            )
+            for plating in structure.midship_platings
+        ],
+        steel_volume_m3=structure.steel_volume_m3,
+        transverse_steel_m3=list(structure.transverse_steel_m3),
         midship_shell_second_moment_m4=structure.midship_shell_second_moment_m4,
         thickness_factor=structure.thickness_factor,
         midship_shell_shear_area_m2=structure.midship_shell_shear_area_m2,
@@ -126,7 +140,10 @@ def _structure(run: Run) -> StructureRecord:
         area_m2=structure.area_m2.tolist(),
         neutral_axis_m=structure.neutral_axis_m.tolist(),
         second_moment_m4=structure.second_moment_m4.tolist(),
+        horizontal_second_moment_m4=structure.horizontal_second_moment_m4.tolist(),
         shear_area_m2=structure.shear_area_m2.tolist(),
+        torsion_constant_m4=structure.torsion_constant_m4.tolist(),
+        steel_area_m2=structure.steel_area_m2.tolist(),
     )
 
 

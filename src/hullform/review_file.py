@@ -15,7 +15,8 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from hullform.corrections import Correction, Drawn, MarkedStation
 from hullform.errors import ReviewError
 from hullform.files import whole_file
-from hullform.ship import BodyPlanSource, CalibrationGiven, Half, Number, Ship, Side, StationName
+from hullform.quantities import Number
+from hullform.ship import BodyPlanSource, CalibrationGiven, Half, Ship, Side, StationName
 
 SUFFIX = ".review.json"
 SAME_STATION_M = 1e-3  # as for the marks of ship.toml

@@ -10,27 +10,14 @@ import tomllib
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import (
-    BaseModel,
-    ConfigDict,
-    Field,
-    PrivateAttr,
-    ValidationError,
-    field_validator,
-    model_validator,
-)
+from pydantic import Field, PrivateAttr, ValidationError, field_validator, model_validator
 
 from hullform.errors import ShipFileError
+from hullform.quantities import NotNegative, Number, Positive, Share, Table
 from hullform.ship_faults import fault_line
+from hullform.ship_structure import StructureInput
 from hullform.station_names import StationNames, fault_of_names
 
-# One alias for each kind of number: the one place where a number may later carry an uncertainty.
-Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
-Positive = Annotated[float, Field(strict=True, gt=0, allow_inf_nan=False)]
-NotNegative = Annotated[float, Field(strict=True, ge=0, allow_inf_nan=False)]
-Share = Annotated[float, Field(strict=True, ge=0, le=1, allow_inf_nan=False)]
-# A shell is thin where its mid-line may stand for it; no ship has a mean plate of a decimetre.
-ShellThickness = Annotated[float, Field(strict=True, gt=0, le=0.1, allow_inf_nan=False)]
 Half = Literal["aft", "fore"]
 Side = Literal["left", "right"]
 StationName = Annotated[str, Field(strict=True, pattern=r"^\S(.*\S)?$", max_length=16)]
@@ -50,11 +37,7 @@ ShipType = Literal[
 ]
 
 
-class _Table(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-
-class Particulars(_Table):
+class Particulars(Table):
     """[ship]: main particulars, moulded, in metres."""
 
     name: Annotated[str, Field(min_length=1)]
@@ -99,14 +82,14 @@ class Particulars(_Table):
         return self
 
 
-class CalibrationPoint(_Table):
+class CalibrationPoint(Table):
     """A point known in the picture and on the ship: px = [u, v], m = [y, z] (y negative in the left half)."""
 
     px: tuple[Number, Number]
     m: tuple[Number, Number]
 
 
-class CalibrationGiven(_Table):
+class CalibrationGiven(Table):
     """[body_plan.calibration]: what the user knows of the picture; the rest is found in it."""
 
     centreline_px: Number | None = None
@@ -116,7 +99,7 @@ class CalibrationGiven(_Table):
     points: tuple[CalibrationPoint, ...] = ()
 
 
-class Mark(_Table):
+class Mark(Table):
     """[[body_plan.marks]]: a point on a station's curve, as a person would click it."""
 
     station_m: Number
@@ -125,7 +108,7 @@ class Mark(_Table):
     curve: Annotated[int, Field(ge=0, le=1)] = 0
 
 
-class BodyPlanSource(_Table):
+class BodyPlanSource(Table):
     """[body_plan]: the picture, and which stations it shows."""
 
     image: Annotated[str, Field(min_length=1)]
@@ -187,22 +170,11 @@ class BodyPlanSource(_Table):
         return self._folder / self.image
 
 
-class HullOptions(_Table):
+class HullOptions(Table):
     """[hull]: reserved for the choice of section models."""
 
 
-class StructureInput(_Table):
-    """[structure]: one steel shell of one thickness."""
-
-    youngs_modulus_pa: Positive = 2.06e11
-    poissons_ratio: Annotated[float, Field(ge=0, lt=0.5)] = 0.3
-    density_kg_m3: Positive = 7850.0
-    shell_thickness_m: ShellThickness = 0.016
-    midship_second_moment_m4: Positive | None = None
-    midship_shear_area_m2: Positive | None = None
-
-
-class WeightsInput(_Table):
+class WeightsInput(Table):
     """[weights]: the light ship."""
 
     steel_weight_t: Positive | None = None
@@ -210,7 +182,7 @@ class WeightsInput(_Table):
     machinery_share: Share = 0.7
 
 
-class ConditionInput(_Table):
+class ConditionInput(Table):
     """[[conditions]]: one loading condition."""
 
     name: Annotated[str, Field(pattern=r"^[a-z0-9-]+$")]
@@ -223,19 +195,19 @@ class ConditionInput(_Table):
         return self.label or self.name
 
 
-class Water(_Table):
+class Water(Table):
     """[water]: what she floats in."""
 
     density_kg_m3: Positive = 1025.0
 
 
-class EmpiricalInput(_Table):
+class EmpiricalInput(Table):
     """[empirical]: the length that Todd and Schlick take, by default the length overall."""
 
     length_m: Positive | None = None
 
 
-class Ship(_Table):
+class Ship(Table):
     """A whole ship.toml. `structure`, `weights` and `conditions` may be missing until a run needs them."""
 
     schema_number: Annotated[Literal[1], Field(alias="schema")]
@@ -265,6 +237,12 @@ class Ship(_Table):
                         f"body_plan.{key} has {x:g}, outside the ship (0 .. {overall:g} m); "
                         "x runs from the aft end of the length overall"
                     )
+        return self
+
+    @model_validator(mode="after")
+    def _structure_lies_in_the_ship(self) -> Self:
+        if self.structure is not None:
+            self.structure.require_within(self.particulars.length_overall_m, self.particulars.breadth_m)
         return self
 
     @property

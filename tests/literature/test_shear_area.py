@@ -5,7 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from hullform.loading.shear_flow import shear_area
+from hullform.loading.thin_walled import closed_shell, section_properties
+
+
+def shear_area(half_breadth: np.ndarray, height: np.ndarray, thickness: float) -> np.ndarray:
+    return section_properties(closed_shell(half_breadth, height, thickness)).shear_area_m2
 
 
 def box(breadth: float, depth: float) -> tuple[np.ndarray, np.ndarray]:
@@ -22,9 +26,10 @@ def cowper_coefficient(breadth: float, depth: float) -> float:
 @pytest.mark.parametrize(("breadth", "depth"), [(32.2, 19.5), (44.0, 21.5), (1.0, 1.0), (5.0, 20.0)])
 def test_box_against_cowper(breadth: float, depth: float) -> None:
     area = 2 * (breadth + depth) * 0.016
-    # both are exact for a thin wall; with Poisson's ratio 0 Cowper's coefficient is the energy's
+    # both are exact for a thin wall; with Poisson's ratio 0 Cowper's coefficient is the energy's. The kernel's own
+    # error is the share that ties the joints to the ground, 1e-13 of the stiffest.
     assert shear_area(*box(breadth, depth), 0.016) == pytest.approx(
-        cowper_coefficient(breadth, depth) * area, rel=1e-12
+        cowper_coefficient(breadth, depth) * area, rel=1e-11
     )
 
 
@@ -37,7 +42,7 @@ def test_box_by_hand(breadth: float, depth: float) -> None:
     side = q0**2 * depth + q0 * t * depth**3 / 6 + t**2 * depth**5 / 120
     second_moment = t * breadth * depth**2 / 2 + t * depth**3 / 6
     by_hand = second_moment**2 / (2 * (2 * deck + side) / t)
-    assert shear_area(*box(breadth, depth), t) == pytest.approx(by_hand, rel=1e-12)
+    assert shear_area(*box(breadth, depth), t) == pytest.approx(by_hand, rel=1e-11)
 
 
 def test_thin_tube_has_half_its_area() -> None:
@@ -50,7 +55,7 @@ def test_points_along_a_straight_plate_change_nothing() -> None:
     y, z = box(10.0, 6.0)
     s = np.linspace(0.0, 3.0, 31)
     fine = shear_area(np.interp(s, range(4), y), np.interp(s, range(4), z), 0.02)
-    assert fine == pytest.approx(shear_area(y, z, 0.02), rel=1e-12)
+    assert fine == pytest.approx(shear_area(y, z, 0.02), rel=1e-11)
 
 
 def test_sections_in_a_stack_and_a_vanished_one() -> None:

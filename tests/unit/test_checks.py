@@ -9,6 +9,8 @@ import pytest
 from hullform import checks
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.loading.watson import Estimate
+from hullform.ship import Particulars
+from hullform.ship_structure import Hatch, StructureInput
 
 # A box barge 100 x 20 m at 5 m: BM_L = L^2 / (12 T), midships at 50 m.
 BARGE = Hydrostatics(
@@ -61,8 +63,6 @@ def test_light_ship_within_a_factor_of_two(weight: float, ok: bool) -> None:
 
 
 def test_what_the_file_says_is_held_against_what_was_read() -> None:
-    from hullform.ship import Particulars
-
     given = Particulars(
         name="barge",
         type="coaster",
@@ -94,8 +94,41 @@ def test_a_doubt_names_number_limit_and_remedy() -> None:
     ("factor", "limit", "ok"), [(2.25, 6.0, True), (3.31, 6.0, True), (7.0, 6.0, False), (0.4, 0.5, False)]
 )
 def test_equivalent_thickness(factor: float, limit: float, ok: bool) -> None:
-    check = checks.check_thickness(factor, 0.016)
+    check = checks.check_thickness(factor, StructureInput())
     assert (check.limit, check.ok) == (limit, ok)
+    assert "the bare 16 mm shell" in check.title
+
+
+@pytest.mark.parametrize(("factor", "limit", "ok"), [(1.2, 1.5, True), (2.25, 1.5, False), (0.6, 0.7, False)])
+def test_a_section_with_members_should_come_nearer(factor: float, limit: float, ok: bool) -> None:
+    check = checks.check_thickness(factor, StructureInput(stiffener_share=0.3))
+    assert (check.limit, check.ok) == (limit, ok)
+    assert "the section as modelled" in check.title
+
+
+def test_a_container_ship_is_open_amidships() -> None:
+    main = Particulars(
+        name="box ship",
+        type="container",
+        length_overall_m=100.0,
+        length_between_perpendiculars_m=100.0,
+        breadth_m=20.0,
+        depth_m=12.0,
+        draught_m=8.0,
+    )
+    closed = checks.check_hatches(main, StructureInput(), 50.0)
+    assert closed is not None
+    assert (closed.value, closed.limit, closed.ok) == (0.0, 50.0, False)
+    assert "0 %, limit 50 %" in closed.doubt
+    assert "[[structure.hatches]]" in closed.doubt
+
+    # openings of 80 % of the breadth, which end at 40 m
+    hatch = Hatch(breadth_m=0.8 * main.breadth_m, to_m=40.0)
+    assert checks.check_hatches(main, StructureInput(hatches=(hatch,)), 50.0) == closed
+    opened = checks.check_hatches(main, StructureInput(hatches=(hatch,)), 30.0)
+    assert opened is not None
+    assert (opened.value, opened.ok) == (pytest.approx(80.0), True)
+    assert checks.check_hatches(main.model_copy(update={"type": "tanker"}), StructureInput(), 50.0) is None
 
 
 @pytest.mark.parametrize(("hertz", "ok"), [(0.95, True), (0.1, False), (30.0, False)])

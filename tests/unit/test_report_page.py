@@ -15,12 +15,14 @@ import pytest
 
 from hullform import checks
 from hullform.body_plan import BodyPlan, Station, TracedCurve
+from hullform.loading.structure import structure_of
 from hullform.outcome import Run
 from hullform.pipeline import run_ship
 from hullform.report.page import CHECK_LABELS, draw_pictures, failed_checks, render, write_report
 from hullform.report.wording import reading_of_mode
 from hullform.rounding import per_cent, significant
 from hullform.ship import read_ship
+from hullform.ship_structure import StructureInput
 from hullvib.bounds import Bracket
 
 # The particulars of the paper's container ship, so that her report has its appendix; the hull is a plain one with
@@ -98,6 +100,7 @@ def test_report_and_figures_are_written(run: Run, tmp_path: Path) -> None:
     names = {path.name for path in (tmp_path / "figures").iterdir()}
     assert names == {
         "overlay.jpg", "body-plan-fit.svg", "sectional-areas.svg", "hull.png", "mass.svg", "structure.svg",
+        "midship-section.svg",
         "modes-loaded.svg", "modes-light-ship.svg", "modes-with-shear.svg", "convergence.svg",
     }  # fmt: skip
     # the limit that the design sets for a page that is mailed about
@@ -205,6 +208,33 @@ def test_shear_area_is_told_bare_and_scaled(run: Run, page: str) -> None:
     own = run.ship.model_copy(update={"structure": given.model_copy(update={"midship_shear_area_m2": 1.25})})
     text = " ".join(render(replace(run, ship=own), draw_pictures(run), "").split())
     assert "to reach the given 1.25 m²" in text
+
+
+def test_the_midship_section_is_drawn_and_listed_with_its_thicknesses(run: Run, page: str) -> None:
+    assert "side, 16 mm" in page
+    given = StructureInput.model_validate(
+        {
+            "inner_bottom": {"height_m": 1.8, "thickness_m": 0.0145},
+            "hatches": [{"breadth_m": 12.0}],
+            "stiffener_share": 0.25,
+            "transverse_bulkheads": [{"x_m": [100.0, 150.0]}],
+        }
+    )
+    plated = replace(
+        run, ship=run.ship.model_copy(update={"structure": given}), structure=structure_of(run.hull, given)
+    )
+    pictures = draw_pictures(plated)
+    drawing = pictures["midship-section"].content.decode("utf-8")
+    for label in ("inner bottom, 14.5 mm", "deck, 16 mm", "hatch opening, 12 m", "neutral axis, z = "):
+        assert label in drawing
+    section = " ".join(render(plated, pictures, "").split('id="girder"')[1].split('id="modes"')[0].split())
+    row = '<th scope="row" class="words">inner bottom</th><td>14.5</td>'
+    assert row in section
+    assert "<td>25</td> <td>100</td>" in section
+    steel = 7850 * plated.structure.steel_volume_m3 / 1000
+    assert f"As modelled the steel weighs {significant(steel)} t, transverse bulkheads included" in section
+    assert "end plates and transverse bulkheads at their place" in section
+    assert "mm thick all round" not in section
 
 
 def test_every_check_has_a_label_of_its_own() -> None:

@@ -79,6 +79,44 @@ def test_the_aft_perpendicular_is_at_the_aft_end_where_the_lengths_agree(tmp_pat
         ("[structure]", "[hull]\nsections = 'auto'\n[structure]", "hull.sections: is reserved for a later version"),
         ("[ship]", "ship = 3\n[other]", "ship = 3: "),
         ("schema = 1", "schema = ", "is no TOML"),
+        ("[structure]", "[structure]\nscantlings = 'net'", 'structure: scantlings = "net" needs corrosion_margin_m'),
+        (
+            "[structure]",
+            "[structure]\nscantlings = 'net'\ncorrosion_margin_m = 0.01\ndecks = [{height_m = 5, thickness_m = 0.008}]",
+            "leaves nothing of the plate of 0.008 m",
+        ),
+        (
+            "[structure]",
+            "[structure]\nzones = [{part = 'keel', thickness_m = 0.02}]",
+            "structure.zones.0.part = 'keel'",
+        ),
+        (
+            "[structure]",
+            "[structure]\nhatches = [{bredth_m = 9.0}]",
+            "hatches.0.bredth_m: unknown key; did you mean 'breadth_m'?",
+        ),
+        ("[structure]", "[structure]\nhatches = [{breadth_m = 16.0}]", "hatches.breadth_m = 16 is not below 16 m"),
+        (
+            "[structure]",
+            "[structure]\nhatches = [{breadth_m = 9.0, from_m = 50.0, to_m = 40.0}]",
+            "to_m = 40 is not forward of from_m = 50",
+        ),
+        ("[structure]", "[structure]\ndecks = [{height_m = 5.0, to_m = 120.0}]", "structure: from_m or to_m has 120"),
+        (
+            "[structure]",
+            "[structure]\ntransverse_bulkheads = [{x_m = [10.0, -3.0]}]",
+            "structure: transverse_bulkheads.x_m has -3, outside the ship",
+        ),
+        (
+            "[structure]",
+            "[structure]\nlongitudinal_bulkheads = [{y_m = 2.0, foot_m = 3.0, head_m = 1.0}]",
+            "head_m = 1 is not above foot_m = 3",
+        ),
+        (
+            "[structure]",
+            "[structure]\nzones = [{part = 'side', thickness_m = 0.02, from_height_m = 3.0, to_height_m = 1.0}]",
+            "to_height_m = 1 is not above from_height_m = 3",
+        ),
     ],
 )
 def test_each_fault_is_named_with_its_place(tmp_path: Path, old: str, new: str, told: str) -> None:

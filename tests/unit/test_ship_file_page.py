@@ -18,6 +18,7 @@ PAGE = (Path(__file__).parents[2] / "docs" / "ship-file.md").read_text(encoding=
 EXAMPLE = re.compile(r"<!-- example: (\w+) -->\n```toml\n(.*?)```", re.DOTALL)
 BLOCKS = [(kind, tomllib.loads(text)) for kind, text in EXAMPLE.findall(PAGE)]
 WHOLE_FILES = [document for kind, document in BLOCKS if kind == "ship"]
+STRUCTURES = [document for kind, document in BLOCKS if kind == "structure"]
 CALIBRATIONS = [document for kind, document in BLOCKS if kind == "calibration"]
 
 
@@ -112,6 +113,15 @@ def test_the_calibrations_are_accepted_with_the_whole_example(given: dict[str, A
     document = tomllib.loads(EXAMPLE.findall(PAGE)[-1][1])
     document["body_plan"] |= given["body_plan"]
     assert Ship.model_validate(document).body_plan.calibration is not None
+
+
+def test_the_structure_is_accepted_for_a_ship_of_its_size() -> None:
+    document = tomllib.loads(EXAMPLE.findall(PAGE)[-1][1])
+    document["ship"] |= {"length_overall_m": 262.0, "breadth_m": 32.2}
+    (given,) = STRUCTURES
+    structure = Ship.model_validate(document | given).structure
+    assert structure is not None
+    assert not structure.is_plain_shell
 
 
 def test_both_ways_of_calibrating_are_shown() -> None:

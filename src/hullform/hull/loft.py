@@ -252,10 +252,11 @@ class Hull:
         lowest = float(self.keel_height_m.min())
         return floating.draught_of_volume(self._immersed_volume, mass_kg / density, lowest, self.depth_amidships_m)
 
-    def section_points(self, points: int = 49) -> Array:
-        """Return points (n, points, 2) [half-breadth, height] in m of every section, from keel to deck."""
-        y, zeta = curve_points(*self.sections.shape, points)
-        return np.stack([y, self.top_height_m[:, None] - zeta], axis=-1)
+    def section_points(self, points: int = 49, x_m: ArrayLike | None = None) -> Array:
+        """Return points (n, points, 2) [half-breadth, height] in m, keel to deck, of the sections or at x_m."""
+        sections = self.sections if x_m is None else self.sections_at(np.atleast_1d(x_m))
+        y, zeta = curve_points(*sections.shape, points)
+        return np.stack([y, sections.top[:, None] - zeta], axis=-1)
 
     def mesh(self, points: int = 49) -> trimesh.Trimesh:
         """Return the closed hull, deck and ends included, as triangles with outward normals, in m (x, y to port, z up).

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.errors import LoadingError
+from hullform.loading.places import moved_to
 from hullvib.girder import Girder
 from hullvib.point_masses import PointMass
 
@@ -84,35 +85,39 @@ def shaped(
     shape: Array,
     from_m: float | None = None,
     to_m: float | None = None,
-    ends: tuple[float, float] = (0.0, 0.0),
+    lumps: tuple[tuple[float, float], ...] = (),
 ) -> Distribution:
     """A mass spread as a curve has it, the curve linear between its points and cut off outside [from, to].
 
     Args:
         name: what is distributed.
         mass_kg: its whole mass.
-        x_m: (n,) places of the curve.
+        x_m: (n,) places of the curve; one that stands twice is a jump.
         shape: (n,) its ordinates, of any unit, >= 0.
         from_m, to_m: the part of the length that carries the mass; the whole curve by default.
-        ends: what lies at the two ends of the curve, in the unit of shape times metre.
+        lumps: (x in metres, amount in the unit of shape times metre) of what takes part in it at one place.
 
     Raises:
         LoadingError: the curve has no area in that part.
     """
     first = x_m[0] if from_m is None else from_m
     last = x_m[-1] if to_m is None else to_m
-    x = np.concatenate([[first], x_m[(x_m > first) & (x_m < last)], [last]])
-    y = np.interp(x, x_m, shape)
-    total = float(0.5 * (y[:-1] + y[1:]) @ np.diff(x)) + sum(ends)
+    inside = (x_m > first) & (x_m < last)
+    x = np.concatenate([[first], x_m[inside], [last]])
+    outer = np.interp([first, last], x_m, shape)
+    y = np.concatenate([outer[:1], shape[inside], outer[1:]])
+    total = float(0.5 * (y[:-1] + y[1:]) @ np.diff(x)) + sum(amount for _, amount in lumps)
     if not total > 0:
         raise LoadingError(
             f"{name}: nothing to spread {mass_kg / 1e3:g} t over between x = {first:g} and {last:g} m; "
             "the hull has no section there"
         )
     density = mass_kg / total
-    places = (float(x_m[0]), float(x_m[-1]))
-    points = tuple((x, end * density) for x, end in zip(places, ends, strict=True) if end > 0)
-    return Distribution(name, x, density * y[:-1], density * y[1:], points)
+    points = tuple((at, amount * density) for at, amount in lumps if amount > 0)
+    # a jump is no piece of its own
+    pieces = np.diff(x) > 0
+    breaks = np.concatenate([x[:1], x[1:][pieces]])
+    return Distribution(name, breaks, density * y[:-1][pieces], density * y[1:][pieces], points)
 
 
 def merged_breaks(parts: Iterable[Array]) -> Array:
@@ -120,6 +125,39 @@ def merged_breaks(parts: Iterable[Array]) -> Array:
     breaks = np.unique(np.concatenate(list(parts)))
     apart = np.concatenate([[True], np.diff(breaks) > SAME_PLACE_M])
     return np.asarray(breaks[apart], dtype=np.float64)
+
+
+def settled(items: Iterable[Distribution], stations: Array) -> tuple[Distribution, ...]:
+    """The items with what all but stands on a station, or on an earlier item's breakpoint, put there, mass kept.
+
+    A bay of a few millimetres is no part of a ship, and no beam solution can take it.
+    """
+    length = float(stations[-1] - stations[0])
+    known, found = stations, []
+    for item in items:
+        x = moved_to(known, item.x_m, length)
+        at = moved_to(known, np.array([place for place, _ in item.points]), length)
+        if not np.array_equal(x, item.x_m) or at.tolist() != [place for place, _ in item.points]:
+            wide = np.diff(x) > 0
+            points = tuple((float(place), mass) for place, (_, mass) in zip(at, item.points, strict=True))
+            moved = Distribution(
+                item.name,
+                np.concatenate([x[:1], x[1:][wide]]),
+                item.left_kg_per_m[wide],
+                item.right_kg_per_m[wide],
+                points,
+            )
+            share = item.mass_kg / moved.mass_kg
+            item = Distribution(
+                moved.name,
+                moved.x_m,
+                share * moved.left_kg_per_m,
+                share * moved.right_kg_per_m,
+                tuple((place, share * mass) for place, mass in points),
+            )
+        known = np.concatenate([known, item.x_m, [place for place, _ in item.points]])
+        found.append(item)
+    return tuple(found)
 
 
 def girder_from(
@@ -140,6 +178,7 @@ def girder_from(
         radius_of_gyration_m: of everything on board about the neutral axis; the rotary inertia is m(x)
             times its square.
     """
+    items = settled(items, x_m)
     breaks = merged_breaks([item.x_m for item in items if item.left_kg_per_m.size] + [x_m[[0, -1]]])
     ends = [item.at_piece_ends(breaks) for item in items]
     left, right = (np.sum([pair[side] for pair in ends], axis=0) for side in (0, 1))

@@ -1,6 +1,7 @@
 """The weights of a loading condition along the ship, in the paper's three classes.
 
-Steel follows the shell's girth (end plates at their place), machinery lies over 0 .. 0.2 LOA, deck machinery
+Steel follows the section of the longitudinal steel, which is the girth of a shell of one thickness (end plates and
+transverse bulkheads at their place), machinery lies over 0 .. 0.2 LOA, deck machinery
 over 0.9 .. 1.0 LOA, deadweight over 0.2 .. 0.9 LOA in step with the sectional area below the design draught.
 """
 
@@ -68,7 +69,9 @@ def light_ship(
     steel_t = estimate.weight_t if given.steel_weight_t is None else given.steel_weight_t
     length = hull.length_overall_m
     semi_kg = given.semi_concentrated_weight_t * KG_PER_T
-    steel = shaped("steel", steel_t * KG_PER_T, structure.x_m, structure.girth_m, ends=structure.end_plate_area_m2)
+    steel = shaped(
+        "steel", steel_t * KG_PER_T, structure.x_m, structure.steel_area_m2, lumps=structure.transverse_steel_m3
+    )
     machinery = uniform("machinery", given.machinery_share * semi_kg, MACHINERY[0] * length, MACHINERY[1] * length)
     deck_machinery = uniform(
         "deck machinery",

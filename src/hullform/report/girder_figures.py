@@ -94,11 +94,11 @@ def structure_figure(run: Run) -> Picture:
     return as_svg(
         figure,
         "structure",
-        "Second moment I(x) and area A(x) of the shell with the equivalent-thickness factor (as the paper's Figs. 1b "
+        "Second moment I(x) and area A(x) of the section with the equivalent-thickness factor (as the paper's Figs. 1b "
         "and 3b), its shear area Aₛ(x) with the shear factor and the shear rigidity kGA(x) = G Aₛ(x), and the "
         "height of its neutral axis within the hull's profile.",
         f"Second moment of area along the ship, largest {significant(structure.second_moment_m4.max())} m⁴, with the "
-        "shell's area, shear area and neutral axis below.",
+        "section's area, shear area and neutral axis below.",
     )
 
 

@@ -11,12 +11,13 @@ from pathlib import Path
 from typing import Any
 
 import jinja2
+import numpy as np
 
 from hullform.afloat import RADIUS_OF_GYRATION
 from hullform.checks import Check
 from hullform.files import whole_file
 from hullform.outcome import Run
-from hullform.report import girder_figures, hull_figures, hull_view
+from hullform.report import girder_figures, hull_figures, hull_view, midship_figure
 from hullform.report.appendix import table_2_blocks
 from hullform.report.drawing import JPEG_QUALITY, Picture, house_style
 from hullform.report.published import FUNCTIONS
@@ -36,7 +37,8 @@ CHECK_LABELS = {
     "floats": "Mass against the displacement at the depth",
     "trim": "Trim that LCG against LCB would cause, by the stern positive",
     "light-ship": "Light ship less steel, within a factor of two of Watson’s estimate",
-    "equivalent-thickness": "Equivalent over given shell thickness",
+    "equivalent-thickness": "Midship second moment, given over modelled",
+    "hatch-openings": "Hatch openings of a container ship over her breadth",
     "steel-estimate": "Numeral within those behind the estimated steel weight",
     "mesh-volume": "Volume of the mesh against the sections",
     "first-frequency": "First frequency, as of hulls of her length",
@@ -74,6 +76,7 @@ def draw_pictures(run: Run) -> dict[str, Picture]:
             hull_view.still_picture(run.hull, run.at_draught.draught_m),
             girder_figures.mass_figure(run),
             girder_figures.structure_figure(run),
+            midship_figure.midship_figure(run),
             *(girder_figures.modes_figure(condition) for condition in run.conditions.values()),
             girder_figures.headline_modes_figure(run),
             girder_figures.convergence_figure(run),
@@ -118,6 +121,7 @@ def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
         "errors": {name: proven_error(condition, HEADLINE_MODES) for name, condition in run.conditions.items()},
         "radius_of_gyration_m": RADIUS_OF_GYRATION * run.ship.particulars.depth_m,
         "gyration_over_depth": RADIUS_OF_GYRATION,
+        "at_midships": lambda values: float(np.interp(run.hull.midships_m, run.structure.x_m, values)),
         "versions": {"hullform": version("hullform"), "Python": platform.python_version()}
         | {library: version(library) for library in LIBRARIES},
     }
