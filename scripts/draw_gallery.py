@@ -1,6 +1,6 @@
 """Write docs/gallery.md: pictures of every kind with what was read in them, wrong stations included.
 
-    python scripts/draw_gallery.py
+python scripts/draw_gallery.py
 """
 
 from __future__ import annotations
@@ -40,8 +40,8 @@ def main() -> None:
     folder.mkdir(parents=True, exist_ok=True)
     page = [
         "# Gallery\n",
-        "Pictures of every kind, drawn by `scripts/generator` with known truth, and what `hullform trace` read in them without any click; "
-        "written by `scripts/draw_gallery.py`.",
+        "Pictures of every kind, drawn by `scripts/generator` with known truth, and what `hullform trace` read in",
+        "them without any click; written by `scripts/draw_gallery.py`.",
         "Blue lines are the predicted frame and grid with their values; curves carry the x of their station. "
         "[reading-accuracy.md](reading-accuracy.md) has the figures over many more.\n",
     ]

@@ -100,7 +100,8 @@ def find_turning(
     on_horizontal = ((here & HORIZONTAL) > 0) & (peaks.slope < -0.55)
     y, z = frame.to_drawing(peaks.row, rows - 1.0 - peaks.column)
     leaning = (peaks.slope < STEEPEST) & (peaks.slope > LARGEST_DESCENT)
-    inside = (y > -0.008 * frame.half_breadth_px) & (z < ceiling(y))
+    margin = 0.008 * frame.half_breadth_px
+    inside = (y > -margin) & (z > frame.bottom_px - margin) & (z < ceiling(y))
     # a level line is walked outboard on the columns; the top of a bulb is one that is walked inboard
     level = (peaks.slope < LEVEL) & (z > LOWEST_LEVEL * frame.half_breadth_px)
     good = leaning & inside & ~on_vertical & ~on_horizontal & (level | (covered[row, column] == 0))
