@@ -29,6 +29,7 @@ JUNCTION_PX = 3.5  # a tracklet that ends so near another one cuts it there
 USUAL_BOLDNESS = 35.0  # percentile of the ink across the lines that is a station's: merged ones are bolder
 HOOK_PX = 1.2  # beside the continuation of its tracklet, an end that lies so far off is a hook
 HAIR_LINE = 0.5  # of that: a line so thin is no station
+CREST = 0.4  # of full ink, a line width inside a ribbon
 WIDEST_PX = 60  # of a ribbon of merged curves, to either side of a peak
 
 
@@ -74,8 +75,9 @@ def find_peaks(ink: Ink, width_px: float) -> Peaks:
         width_px: usual thickness of a line.
     """
     sigma = float(np.clip(0.35 * width_px, 0.8, 1.4))
-    smooth = cv2.GaussianBlur(ink, (0, 0), sigma)
-    wide = cv2.GaussianBlur(ink, (0, 0), max(1.3, 1.4 * sigma))
+    crested = _crested(ink, width_px)
+    smooth = cv2.GaussianBlur(crested, (0, 0), sigma)
+    wide = cv2.GaussianBlur(crested, (0, 0), max(1.3, 1.4 * sigma))
     middle = smooth[1:-1]
     row, column = np.nonzero((middle > smooth[:-2]) & (middle >= smooth[2:]) & (middle > FAINTEST_RIDGE))
     order = np.lexsort((row, column))
@@ -92,6 +94,12 @@ def find_peaks(ink: Ink, width_px: float) -> Peaks:
     slope = np.clip(mixed / np.where(np.abs(normal_row) < 1e-6, 1e-6, -normal_row), -2.5, 2.5)
     low, high = _ribbon(ink, column, row, here)
     return Peaks(column.astype(np.int64), row + offset, here, slope, low, high)
+
+
+def _crested(ink: Ink, width_px: float) -> Ink:
+    """The ink, raised along the axis of ribbons wider than two lines: merged lines leave a flat top without a ridge."""
+    depth = cv2.distanceTransform((ink > 0.5).astype(np.uint8), cv2.DIST_L2, 5)
+    return np.asarray(ink + CREST * np.maximum(depth / width_px - 0.75, 0.0), dtype=np.float32)
 
 
 def _ribbon(ink: Ink, column: Indices, row: Indices, strength: Array) -> tuple[Array, Array]:
