@@ -44,7 +44,9 @@ def expected_lines(
     step_m = 0.2 * size_px * calibration.metres_per_px
     found: list[StraightLine] = []
     for place in places_m:
-        ends = np.array([[place, 0.0, 1.0], [place, step_m, 1.0]] if vertical else [[-step_m, place, 1], [step_m, place, 1]])
+        ends = np.array(
+            [[place, 0.0, 1.0], [place, step_m, 1.0]] if vertical else [[-step_m, place, 1], [step_m, place, 1]]
+        )
         (u0, v0), (u1, v1) = ((p[:2] / p[2]) for p in ends @ matrix.T)
         t0, n0, t1, n1 = (v0, u0, v1, u1) if vertical else (u0, v0, u1, v1)
         slope = float((n1 - n0) / (t1 - t0))
@@ -53,7 +55,11 @@ def expected_lines(
         if any(abs(float(line.at(middle)) - aim) < SAME_LINE_PX for line in (*known, *found)):
             continue
         line = refine_line(ink, float(n0 - slope * t0), slope, vertical, SEARCH_PX)
-        if line is None or abs(float(line.at(middle)) - aim) > LARGEST_SHIFT_PX or abs(line.slope - slope) > LARGEST_TURN:
+        if (
+            line is None
+            or abs(float(line.at(middle)) - aim) > LARGEST_SHIFT_PX
+            or abs(line.slope - slope) > LARGEST_TURN
+        ):
             continue
         if all(abs(float(line.at(middle)) - float(other.at(middle))) > SAME_LINE_PX for other in (*known, *found)):
             found.append(line)

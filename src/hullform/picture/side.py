@@ -16,7 +16,6 @@ from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
 
 Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 FOOT = 0.04  # of B/2: so near the base line no station has reached the line of B/2
 REACH_PX = 3.5  # to either side of the line
@@ -28,8 +27,6 @@ CLEARLY_THICKER = 1.8  # a station than the line by itself; else the whole line 
 SHORTEST = 0.04  # of B/2: shorter strokes are labels, waterlines or curves that pass
 LONGEST_GAP = 0.045  # of B/2: of a label that stands on the line; strokes above it go on with the side
 SHORTEST_STROKE_PX = 6  # of those strokes
-BESIDE_PX = 12.0  # outboard of the line the paper is blank, but where a figure stands on it
-MOST_BESIDE = 0.3  # of a stroke's height, with ink there: more is a figure above the side
 STEP_WINDOW_PX = 14  # over which the thickness below and above a step is compared
 STEP_BLUR_PX = 3  # over which a stroke's end is blurred
 LEAST_STEP = 0.12  # of a station's thickness, by which the line thins where a station ends inside the outermost one
@@ -77,24 +74,10 @@ def find_side(ink: Ink, frame: DiagonalFrame, width_px: float) -> ShipSide:
     strokes = cv2.morphologyEx(
         drawn.astype(np.uint8)[:, None], cv2.MORPH_OPEN, np.ones((SHORTEST_STROKE_PX, 1), np.uint8)
     )
-    figures = _figures(ink, frame, z, strokes[:, 0].astype(np.bool_), int(runs[-1]))
-    further = np.flatnonzero((strokes[:, 0] > 0)[runs[-1] :] & ~figures[runs[-1] :])
+    further = np.flatnonzero(strokes[runs[-1] :, 0])
     breaks = np.flatnonzero(np.diff(further) > LONGEST_GAP * size)
     last = int(runs[-1]) + int(further[breaks[0] if breaks.size else -1])
     return ShipSide(float(z[last]), _steps(z[: last + 1], _thickness(ink, frame, z[: last + 1]), width_px))
-
-
-def _figures(ink: Ink, frame: DiagonalFrame, z: Array, strokes: Flags, above: int) -> Flags:
-    """Which rows belong to strokes above a row that have ink beside them, outboard: pieces of figures."""
-    y = frame.half_breadth_px + np.arange(REACH_PX + 1, BESIDE_PX)
-    u, v = frame.to_picture(*np.meshgrid(y, z))
-    beside = (cv2.remap(ink, u.astype(np.float32), v.astype(np.float32), cv2.INTER_LINEAR) > LEAST_INK).any(axis=1)
-    out = np.zeros(len(z), dtype=np.bool_)
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], strokes, [False]]).astype(np.int8)))
-    for first, last in edges.reshape(-1, 2):
-        if first > above and beside[first:last].mean() > MOST_BESIDE:
-            out[first:last] = True
-    return out
 
 
 def _thickness(ink: Ink, frame: DiagonalFrame, z: Array) -> Array:
