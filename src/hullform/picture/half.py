@@ -146,7 +146,7 @@ def prepare_half(
         frame = replace(frame, bottom_px=-dome.depth_px)
         here = only_contours(frame.sample(bare), frame, dome)
     hidden = _widened(frame.sample_mask(mask), width)
-    side = find_side(ink, frame, width)
+    side = find_side(ink, frame, width, depth_px)
     side_top = side.top_px
     if side_top is not None and abs(side_top / depth_px - 1) < NEAR_DEPTH:
         side_top = depth_px
