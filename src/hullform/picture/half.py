@@ -145,14 +145,15 @@ def prepare_half(
     if dome.depth_px > 0:
         frame = replace(frame, bottom_px=-dome.depth_px)
         here = only_contours(frame.sample(bare), frame, dome)
-    hidden = _widened(frame.sample_mask(mask), width)
-    side = find_side(ink, frame, width)
+    lines = frame.sample_mask(mask)
+    hidden = _widened(lines, width)
+    side = find_side(ink, frame, width, depth_px)
     side_top = side.top_px
     if side_top is not None and abs(side_top / depth_px - 1) < NEAR_DEPTH:
         side_top = depth_px
     sheer = find_sheer(bare, frame, depth_px, side_top)
     peaks = find_peaks(here, width)
-    peaks = peaks.chosen(usable(peaks, hidden, frame))
+    peaks = peaks.chosen(usable(peaks, lines, hidden, frame))
     level = depth_px if deck_line else None
     prepared = HalfInk(
         half, frame, here, hidden, width, width, depth_px, level, side_top, side.steps_px, sheer, peaks, []

@@ -24,6 +24,7 @@ FAINTEST_RIDGE = 0.16  # ink of a peak after smoothing
 STEEPEST = 2.2  # db/da of a ridge that is followed: tumblehome of 20 degrees
 LARGEST_STEP_PX = 3.0  # across, between neighbouring columns: that slope and the noise of two peaks
 LARGEST_MISS_PX = 1.3  # between a peak and where its neighbour's slope points
+ALONG, ACROSS = -0.55, -0.3  # db/da beside an upright line: up to one it runs along it, from the other it crosses it
 SHORTEST_PX = 5  # of a tracklet
 JUNCTION_PX = 3.5  # a tracklet that ends so near another one cuts it there
 USUAL_BOLDNESS = 35.0  # percentile of the ink across the lines that is a station's: merged ones are bolder
@@ -123,15 +124,24 @@ def _ribbon(ink: Ink, column: Indices, row: Indices, strength: Array) -> tuple[A
     return edges[0], edges[1]
 
 
-def usable(peaks: Peaks, mask: Mask, frame: DiagonalFrame) -> NDArray[np.bool_]:
-    """Peaks inside the half and not on a straight line of the drawing, unless their ridge runs along it."""
-    row = np.clip(np.round(peaks.row).astype(np.int64), 0, mask.shape[0] - 1)
-    here = mask[row, peaks.column]
-    on_vertical = ((here & VERTICAL) > 0) & (peaks.slope > -0.55)
-    on_horizontal = ((here & HORIZONTAL) > 0) & (peaks.slope < 0.55)
+def usable(peaks: Peaks, lines: Mask, beside: Mask, frame: DiagonalFrame) -> NDArray[np.bool_]:
+    """Peaks inside the half and not on a straight line of the drawing, unless their ridge runs along it.
+
+    Args:
+        peaks: of the frame.
+        lines: (rows, columns) where straight lines were taken off; `beside`: where they disturb a curve that runs
+            at a small angle to them.
+        frame: of the half.
+    """
+    row = np.clip(np.round(peaks.row).astype(np.int64), 0, lines.shape[0] - 1)
+    lost = np.zeros(len(row), dtype=np.bool_)
+    # an upright line has the slope -1 in the frame, a level one 1
+    for bit, angle in ((VERTICAL, peaks.slope), (HORIZONTAL, -peaks.slope)):
+        shallow = ((beside[row, peaks.column] & bit) > 0) & (angle < ACROSS)
+        lost |= (((lines[row, peaks.column] & bit) > 0) | shallow) & (angle > ALONG)
     y, z = frame.to_drawing(peaks.column.astype(np.float64), peaks.row)
     outside = np.minimum(y, z - frame.bottom_px) < -0.008 * frame.half_breadth_px
-    return ~(on_vertical | on_horizontal | outside)
+    return np.asarray(~(lost | outside))
 
 
 def find_tracklets(peaks: Peaks) -> list[Tracklet]:

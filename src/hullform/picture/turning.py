@@ -14,6 +14,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from hullform.picture.diagonals import on_diagonals
 from hullform.picture.ends import Ends
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
@@ -105,6 +106,14 @@ def find_turning(
     # a level line is walked outboard on the columns; the top of a bulb is one that is walked inboard
     level = (peaks.slope < LEVEL) & (z > LOWEST_LEVEL * frame.half_breadth_px)
     good = leaning & inside & ~on_vertical & ~on_horizontal & (level | (covered[row, column] == 0))
+    candidates = np.flatnonzero(good)
+    good[candidates] = ~on_diagonals(
+        peaks.column[candidates].astype(np.float64),
+        peaks.row[candidates],
+        peaks.slope[candidates],
+        y[candidates],
+        frame.half_breadth_px,
+    )
     least_of_tunnel = SHORTEST_OF_TUNNEL * frame.half_breadth_px
     least = SHORTEST * frame.half_breadth_px
     pieces = [piece for piece in find_tracklets(peaks.chosen(good)) if len(piece.column) >= least]
