@@ -15,12 +15,13 @@ from scipy.ndimage import median_filter
 
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
-from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
+from hullform.picture.lines import BOLD, HORIZONTAL, VERTICAL, Mask
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 FAINTEST_RIDGE = 0.16  # ink of a peak after smoothing
+FAINTEST_THROUGH_LINE = 0.35  # of a curve's peak where a faint line was taken off: what that left is fainter
 STEEPEST = 2.2  # db/da of a ridge that is followed: tumblehome of 20 degrees
 LARGEST_STEP_PX = 3.0  # across, between neighbouring columns: that slope and the noise of two peaks
 LARGEST_MISS_PX = 1.3  # between a peak and where its neighbour's slope points
@@ -116,11 +117,15 @@ def _ribbon(ink: Ink, column: Indices, row: Indices, strength: Array) -> tuple[A
 
 
 def usable(peaks: Peaks, mask: Mask, frame: DiagonalFrame) -> NDArray[np.bool_]:
-    """Peaks inside the half and not on a straight line of the drawing, unless their ridge runs along it."""
+    """Peaks inside the half and not on a straight line of the drawing.
+
+    Those whose ridge runs along a line are kept, and those of a curve that can be seen through a faint line.
+    """
     row = np.clip(np.round(peaks.row).astype(np.int64), 0, mask.shape[0] - 1)
     here = mask[row, peaks.column]
-    on_vertical = ((here & VERTICAL) > 0) & (peaks.slope > -0.55)
-    on_horizontal = ((here & HORIZONTAL) > 0) & (peaks.slope < 0.55)
+    lost = ((here & BOLD) > 0) | (peaks.strength < FAINTEST_THROUGH_LINE)
+    on_vertical = lost & ((here & VERTICAL) > 0) & (peaks.slope > -0.55)
+    on_horizontal = lost & ((here & HORIZONTAL) > 0) & (peaks.slope < 0.55)
     y, z = frame.to_drawing(peaks.column.astype(np.float64), peaks.row)
     outside = np.minimum(y, z - frame.bottom_px) < -0.008 * frame.half_breadth_px
     return ~(on_vertical | on_horizontal | outside)
