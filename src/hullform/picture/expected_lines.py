@@ -1,7 +1,7 @@
 """Straight lines that a drawing must have where its grid and its main particulars say, and level lines that are hull.
 
-The search for long lines keeps one line of each place. A waterline beside a flat of bottom, or a design waterline beside
-a waterline of the grid, is looked for again once the scale is known.
+The search for long lines keeps one line of each place. A waterline beside a flat of bottom, or a design waterline
+beside a waterline of the grid, is looked for again once the scale is known.
 """
 
 from __future__ import annotations

@@ -106,8 +106,8 @@ def find_paths(
         bends = find_bends(tracklets, first, last, turning, mask, frame, scale)
         gain, again = _worth(turning.pieces, width_px)
         across = [MarkInFrame(mark.station, mark.row, turning.rows - 1.0 - mark.column) for mark in marks]
-        there, further = _marked(turning.pieces, across)
-        once, called = np.minimum(there, 1), called | further
+        there, called_there = _marked(turning.pieces, across)
+        once, called = np.minimum(there, 1), called | called_there
         reward, share = np.concatenate([reward, gain, gain]), np.concatenate([share, again, again])
         marked = np.concatenate([marked, once, once])
         entry = np.concatenate([entry, bends.entry + COST_OF_CURVE * scale])

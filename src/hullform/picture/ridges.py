@@ -15,12 +15,13 @@ from scipy.ndimage import median_filter
 
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
-from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
+from hullform.picture.lines import BOLD, HORIZONTAL, VERTICAL, Mask
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 FAINTEST_RIDGE = 0.16  # ink of a peak after smoothing
+FAINTEST_THROUGH_LINE = 0.35  # of a curve's peak where a faint line was taken off: what that left is fainter
 STEEPEST = 2.2  # db/da of a ridge that is followed: tumblehome of 20 degrees
 LARGEST_STEP_PX = 3.0  # across, between neighbouring columns: that slope and the noise of two peaks
 LARGEST_MISS_PX = 1.3  # between a peak and where its neighbour's slope points
@@ -125,7 +126,9 @@ def _ribbon(ink: Ink, column: Indices, row: Indices, strength: Array) -> tuple[A
 
 
 def usable(peaks: Peaks, lines: Mask, beside: Mask, frame: DiagonalFrame) -> NDArray[np.bool_]:
-    """Peaks inside the half and not on a straight line of the drawing, unless their ridge runs along it.
+    """Peaks inside the half and not on a straight line of the drawing.
+
+    Those whose ridge runs along a line are kept, and those of a curve that can be seen through a faint line.
 
     Args:
         peaks: of the frame.
@@ -139,9 +142,10 @@ def usable(peaks: Peaks, lines: Mask, beside: Mask, frame: DiagonalFrame) -> NDA
     for bit, angle in ((VERTICAL, peaks.slope), (HORIZONTAL, -peaks.slope)):
         shallow = ((beside[row, peaks.column] & bit) > 0) & (angle < ACROSS)
         lost |= (((lines[row, peaks.column] & bit) > 0) | shallow) & (angle > ALONG)
+    seen = ((lines[row, peaks.column] & BOLD) == 0) & (peaks.strength >= FAINTEST_THROUGH_LINE)
     y, z = frame.to_drawing(peaks.column.astype(np.float64), peaks.row)
     outside = np.minimum(y, z - frame.bottom_px) < -0.008 * frame.half_breadth_px
-    return np.asarray(~(lost | outside))
+    return np.asarray(~((lost & ~seen) | outside))
 
 
 def find_tracklets(peaks: Peaks) -> list[Tracklet]:
