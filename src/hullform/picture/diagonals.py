@@ -71,4 +71,4 @@ def _boldest(along: Array, across: Array, lean: Array, leans: Array) -> Array:
 
 
 def _on_line(along: Array, across: Array, lean: Array, line: Array) -> NDArray[np.bool_]:
-    return (np.abs(across - np.polyval(line, along)) < NEAR_PX) & (np.abs(lean - line[0]) < ALONG)
+    return np.asarray((np.abs(across - np.polyval(line, along)) < NEAR_PX) & (np.abs(lean - line[0]) < ALONG))

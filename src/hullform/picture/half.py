@@ -21,7 +21,7 @@ from hullform.picture.flow import MarkInFrame, find_paths
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.hand_drawn import course, rank_among, without_ink_of
 from hullform.picture.ink import Ink
-from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
+from hullform.picture.lines import BOLD, HORIZONTAL, VERTICAL, Mask
 from hullform.picture.placing import REACH, Placed
 from hullform.picture.resampling import evenly
 from hullform.picture.ridges import (
@@ -295,11 +295,12 @@ def trace_half(
 
 
 def _widened(mask: Mask, width_px: float) -> Mask:
-    """The mask, each family wider by half a line: a curve that touches a line is lost in it."""
+    """The mask, each kind of line wider by half a line: a curve that touches a line is lost in it."""
     kernel = np.ones((2 * round(width_px / 2) + 3,) * 2, np.uint8)
-    vertical = np.asarray(cv2.dilate(mask & VERTICAL, kernel), dtype=np.uint8)
-    horizontal = np.asarray(cv2.dilate(mask & HORIZONTAL, kernel), dtype=np.uint8)
-    return vertical | horizontal
+    vertical, horizontal, bold = (
+        np.asarray(cv2.dilate(mask & bit, kernel), dtype=np.uint8) for bit in (VERTICAL, HORIZONTAL, BOLD)
+    )
+    return vertical | horizontal | bold
 
 
 def _confidence(trace: Trace) -> float:

@@ -34,7 +34,8 @@ MUCH_LONGER = 1.5  # than a neighbour: a line across both halves beside one of a
 BORDER_TOLERANCE = 0.015  # of the picture's width: how nearly the lines of a border meet
 FEWEST_INSIDE = 3  # upright lines, beside which two longer ones may be a border
 BORDER_LONGER = 1.03  # than any other line of its family
-VERTICAL, HORIZONTAL = 1, 2  # bits of the mask
+VERTICAL, HORIZONTAL, BOLD = 1, 2, 4  # bits of the mask
+FAINT_LINE = 0.6  # ink of a line's axis: through a fainter one the curves that cross it can be seen
 
 
 @dataclass(frozen=True, eq=False)
@@ -348,7 +349,7 @@ def _one_each(lines: list[StraightLine], nearest: float) -> list[StraightLine]:
 
 
 def subtract_lines(ink: Ink, lines: list[StraightLine]) -> tuple[Ink, Mask]:
-    """The ink without the lines, and a mask of where they lie (bit 1 vertical, bit 2 horizontal).
+    """The ink without the lines, and a mask of where they lie (bit 1 vertical, bit 2 horizontal, bit 4 a bold one).
 
     Each line's own profile, a little enlarged, is taken off, so that a curve that crosses a grey line stays.
     """
@@ -365,5 +366,6 @@ def subtract_lines(ink: Ink, lines: list[StraightLine]) -> tuple[Ink, Mask]:
         rows, columns = (tt[inside], n[inside]) if line.vertical else (n[inside], tt[inside])
         out[rows, columns] -= (1.12 * np.interp(offset[inside], line.profile_at, line.profile)).astype(np.float32)
         covered = np.abs(offset[inside]) <= line.width / 2 + 1.2
-        mask[rows[covered], columns[covered]] |= VERTICAL if line.vertical else HORIZONTAL
+        bold = BOLD if float(line.profile.max()) > FAINT_LINE else 0
+        mask[rows[covered], columns[covered]] |= (VERTICAL if line.vertical else HORIZONTAL) | bold
     return np.clip(out, 0, 1), mask
