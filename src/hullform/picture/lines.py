@@ -80,6 +80,12 @@ def crossing(vertical: StraightLine, horizontal: StraightLine) -> tuple[float, f
 
 def find_lines(ink: Ink) -> tuple[list[StraightLine], list[StraightLine]]:
     """The horizontal lines from top to bottom, and the vertical lines from left to right."""
+    horizontal, vertical, _ = find_lines_and_border(ink)
+    return horizontal, vertical
+
+
+def find_lines_and_border(ink: Ink) -> tuple[list[StraightLine], list[StraightLine], list[StraightLine]]:
+    """The horizontal lines from top to bottom, the vertical lines from left to right, and those round the sheet."""
     height, width = ink.shape
     shrink = max(1.0, width / SEARCH_WIDTH_PX)
     small = cv2.resize(
@@ -105,7 +111,9 @@ def find_lines(ink: Ink) -> tuple[list[StraightLine], list[StraightLine]]:
         typical = float(np.median([line.length for line in convergent])) if convergent else 0.0
         families.append(convergent if drawn[1] > drawn[0] + CONVERGENCE_GAIN * typical else parallel)
     horizontal, vertical_ = _without_border(families[0], families[1], width)
-    return _family(horizontal, 4 * shrink), _family(vertical_, 4 * shrink)
+    inside = [*horizontal, *vertical_]
+    border = [line for family in families for line in family if line not in inside]
+    return _family(horizontal, 4 * shrink), _family(vertical_, 4 * shrink), border
 
 
 def _refined(ink: Ink, found: list[tuple[float, float]], vertical: bool, shrink: float) -> list[StraightLine]:
