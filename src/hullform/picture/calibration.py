@@ -208,6 +208,8 @@ def _base_line(
         return None
     lowest, u = max(wide, key=lambda pair: float(pair[0].at(pair[1])))
     half_breadth = outermost_half_breadth(ink, (u, float(lowest.at(u))), skew)
+    if half_breadth is not None:
+        wide = [(line, u) for line, u in wide if line is lowest or not is_flat_of_bottom(line, ink, u, half_breadth)]
     drawn = np.flatnonzero((ink > 0.25).any(axis=1))
     if half_breadth is None or drawn.size == 0:
         return lowest

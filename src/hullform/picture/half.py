@@ -48,6 +48,7 @@ FLAT_SLOPE = 0.6  # db/da of a ridge within 14 degrees of level
 DECK_ZONE = 0.84  # of the depth: without a sheer line found, level ridges above it are taken for the deck
 LEVEL_SLOPE = 0.8
 NEAR_DEPTH = 0.12  # of the depth: a side drawn so high goes to the depth, by its meaning; lower, the deck is stepped
+OUTBOARD = 0.012  # of B/2: beyond the line of B/2, where stations run along it, are figures and lines of the sheet
 SHORTEST_UNUSED_PX = 12  # of a line that is shown as one that no curve took
 HIDDEN_BY_GRID = 0.7  # share of a curve that can be seen through a close grid: more missing counts against it
 
@@ -154,6 +155,9 @@ def prepare_half(
     sheer = find_sheer(bare, frame, depth_px, side_top)
     peaks = find_peaks(here, width)
     peaks = peaks.chosen(usable(peaks, lines, hidden, frame))
+    if side_top is not None:
+        y, _ = frame.to_drawing(peaks.column.astype(np.float64), peaks.row)
+        peaks = peaks.chosen(y < frame.half_breadth_px + max(OUTBOARD * frame.half_breadth_px, 2 * width))
     level = depth_px if deck_line else None
     prepared = HalfInk(
         half, frame, here, hidden, width, width, depth_px, level, side_top, side.steps_px, sheer, peaks, []
