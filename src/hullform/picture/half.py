@@ -21,7 +21,7 @@ from hullform.picture.flow import MarkInFrame, find_paths
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.hand_drawn import course, rank_among, without_ink_of
 from hullform.picture.ink import Ink
-from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
+from hullform.picture.lines import BOLD, HORIZONTAL, VERTICAL, Mask
 from hullform.picture.placing import REACH, Placed
 from hullform.picture.resampling import evenly
 from hullform.picture.ridges import (
@@ -145,14 +145,15 @@ def prepare_half(
     if dome.depth_px > 0:
         frame = replace(frame, bottom_px=-dome.depth_px)
         here = only_contours(frame.sample(bare), frame, dome)
-    hidden = _widened(frame.sample_mask(mask), width)
-    side = find_side(ink, frame, width)
+    lines = frame.sample_mask(mask)
+    hidden = _widened(lines, width)
+    side = find_side(ink, frame, width, depth_px)
     side_top = side.top_px
     if side_top is not None and abs(side_top / depth_px - 1) < NEAR_DEPTH:
         side_top = depth_px
     sheer = find_sheer(bare, frame, depth_px, side_top)
     peaks = find_peaks(here, width)
-    peaks = peaks.chosen(usable(peaks, hidden, frame))
+    peaks = peaks.chosen(usable(peaks, lines, hidden, frame))
     level = depth_px if deck_line else None
     prepared = HalfInk(
         half, frame, here, hidden, width, width, depth_px, level, side_top, side.steps_px, sheer, peaks, []
@@ -294,11 +295,12 @@ def trace_half(
 
 
 def _widened(mask: Mask, width_px: float) -> Mask:
-    """The mask, each family wider by half a line: a curve that touches a line is lost in it."""
+    """The mask, each kind of line wider by half a line: a curve that touches a line is lost in it."""
     kernel = np.ones((2 * round(width_px / 2) + 3,) * 2, np.uint8)
-    vertical = np.asarray(cv2.dilate(mask & VERTICAL, kernel), dtype=np.uint8)
-    horizontal = np.asarray(cv2.dilate(mask & HORIZONTAL, kernel), dtype=np.uint8)
-    return vertical | horizontal
+    vertical, horizontal, bold = (
+        np.asarray(cv2.dilate(mask & bit, kernel), dtype=np.uint8) for bit in (VERTICAL, HORIZONTAL, BOLD)
+    )
+    return vertical | horizontal | bold
 
 
 def _confidence(trace: Trace) -> float:

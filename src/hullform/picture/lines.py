@@ -28,10 +28,12 @@ LARGEST_SLOPE_SPREAD = 0.0022  # between the lines of a family (0.13 deg): curve
 LARGEST_CONVERGENCE = 0.06  # change of slope of a family across the picture, where a camera leaned
 CONVERGENCE_STEP = 0.002  # between the slopes at which such a family is looked for
 CONVERGENCE_GAIN = 0.8  # lines more, that a convergent family must hold to be believed
+MUCH_LONGER = 1.5  # than a neighbour: a line across both halves beside one of a single half
 BORDER_TOLERANCE = 0.015  # of the picture's width: how nearly the lines of a border meet
 FEWEST_INSIDE = 3  # upright lines, beside which two longer ones may be a border
 BORDER_LONGER = 1.03  # than any other line of its family
-VERTICAL, HORIZONTAL = 1, 2  # bits of the mask
+VERTICAL, HORIZONTAL, BOLD = 1, 2, 4  # bits of the mask
+FAINT_LINE = 0.6  # ink of a line's axis: through a fainter one the curves that cross it can be seen
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,7 +109,7 @@ def find_lines(ink: Ink) -> tuple[list[StraightLine], list[StraightLine]]:
 def _refined(ink: Ink, found: list[tuple[float, float]], vertical: bool, shrink: float) -> list[StraightLine]:
     """The lines at offsets and slopes found on the smaller picture."""
     lines = [
-        _refine(ink, offset * shrink + (shrink - 1) / 2 * (1 - slope), slope, vertical, max(3.0, 2.0 * shrink))
+        refine_line(ink, offset * shrink + (shrink - 1) / 2 * (1 - slope), slope, vertical, max(3.0, 2.0 * shrink))
         for offset, slope in found
     ]
     return [line for line in lines if line is not None]
@@ -228,7 +230,7 @@ def _across(ink: Ink, centre: Array, t: Array, reach: Array, vertical: bool) -> 
     return np.asarray(cv2.remap(ink, u, v, cv2.INTER_LINEAR), dtype=np.float64)
 
 
-def _refine(ink: Ink, offset: float, slope: float, vertical: bool, window: float) -> StraightLine | None:
+def refine_line(ink: Ink, offset: float, slope: float, vertical: bool, window: float) -> StraightLine | None:
     """Fit a line through the ink centroids of its cross-sections (robust, Tukey weights) and find its run."""
     side = ink.shape[0 if vertical else 1]
     t = np.linspace(0, side - 1, 600)
@@ -300,12 +302,15 @@ def _family(lines: list[StraightLine], nearest: float) -> list[StraightLine]:
 
 
 def _one_each(lines: list[StraightLine], nearest: float) -> list[StraightLine]:
-    """The boldest line of each place, sorted across."""
+    """The boldest line of each place, sorted across; a much longer one goes first."""
     kept: list[StraightLine] = []
     for line in sorted(lines, key=lambda x: float(x.at((x.start + x.end) / 2))):
         t = (line.start + line.end) / 2
         if kept and abs(float(line.at(t)) - float(kept[-1].at(t))) < nearest:
-            if line.weight * line.length > kept[-1].weight * kept[-1].length:
+            # a flat of bottom is bolder than the waterline beside it, but ends at the centre line
+            longer = line.length / kept[-1].length
+            bolder = line.weight * line.length > kept[-1].weight * kept[-1].length
+            if longer > MUCH_LONGER or (bolder and longer > 1 / MUCH_LONGER):
                 kept[-1] = line
             continue
         kept.append(line)
@@ -313,7 +318,7 @@ def _one_each(lines: list[StraightLine], nearest: float) -> list[StraightLine]:
 
 
 def subtract_lines(ink: Ink, lines: list[StraightLine]) -> tuple[Ink, Mask]:
-    """The ink without the lines, and a mask of where they lie (bit 1 vertical, bit 2 horizontal).
+    """The ink without the lines, and a mask of where they lie (bit 1 vertical, bit 2 horizontal, bit 4 a bold one).
 
     Each line's own profile, a little enlarged, is taken off, so that a curve that crosses a grey line stays.
     """
@@ -330,5 +335,6 @@ def subtract_lines(ink: Ink, lines: list[StraightLine]) -> tuple[Ink, Mask]:
         rows, columns = (tt[inside], n[inside]) if line.vertical else (n[inside], tt[inside])
         out[rows, columns] -= (1.12 * np.interp(offset[inside], line.profile_at, line.profile)).astype(np.float32)
         covered = np.abs(offset[inside]) <= line.width / 2 + 1.2
-        mask[rows[covered], columns[covered]] |= VERTICAL if line.vertical else HORIZONTAL
+        bold = BOLD if float(line.profile.max()) > FAINT_LINE else 0
+        mask[rows[covered], columns[covered]] |= (VERTICAL if line.vertical else HORIZONTAL) | bold
     return np.clip(out, 0, 1), mask

@@ -73,7 +73,7 @@ def prepare_sheet(ship: Ship) -> Sheet:
     ink = ink_of(grey, str(path))
     given = reduction.given(source.calibration)
     with explained(str(path), ink, main.breadth_m, main.depth_m):
-        calibrated = calibrate(ink, *find_lines(ink), main.breadth_m, main.depth_m, given, str(path))
+        calibrated = calibrate(ink, *find_lines(ink), main.breadth_m, main.depth_m, given, str(path), main.draught_m)
     calibration = calibrated.calibration
     bare, mask = subtract_lines(ink, list(calibrated.frame_lines))
     depth_px = main.depth_m / calibration.metres_per_px
@@ -95,5 +95,5 @@ def prepare_sheet(ship: Ship) -> Sheet:
         frame = DiagonalFrame.of(calibration, -1 if half == left else 1, main.breadth_m, top_m)
         halves[half] = prepare_half(half, frame, ink, bare, mask, depth_px, deck_line)
     with explained(str(path), ink, main.breadth_m, main.depth_m):
-        require_upright(str(path), bare, halves.values())
+        require_upright(str(path), bare, list(halves.values()))
     return Sheet(path, size_px, grey, reduction, ink, bare, calibrated, halves)
