@@ -61,11 +61,18 @@ def test_a_far_lever_carries_her_on_a_hull_with_dry_ends() -> None:
     assert found.waterline.draught_aft_m < 0 < found.waterline.trim_m * -1
 
 
-def test_a_deck_under_water_has_a_negative_freeboard() -> None:
-    hull = box_barge()
-    found = hull.equilibrium(DENSITY * LENGTH_M * BREADTH_M * 7.0, LENGTH_M / 2 + 3.0, DENSITY)
+def test_a_deck_under_water_is_told_and_her_sides_go_on() -> None:
+    lever, draught = 3.0, 7.0
+    found = box_barge().equilibrium(DENSITY * LENGTH_M * BREADTH_M * draught, LENGTH_M / 2 + lever, DENSITY)
+    rise = 6 * draught * lever / LENGTH_M
+    assert found.least_freeboard_m == pytest.approx(8.0 - draught - rise, abs=1e-3)
     assert found.least_freeboard_m < 0
-    assert found.lcb_x_m == pytest.approx(LENGTH_M / 2 + 3.0, rel=1e-12)
+    assert found.lcb_x_m == pytest.approx(LENGTH_M / 2 + lever, rel=1e-12)
+
+
+def test_a_hull_drawn_to_her_waterline_floats_there() -> None:
+    mass = DENSITY * LENGTH_M * BREADTH_M * 8.02
+    assert box_barge().equilibrium(mass, 40.0, DENSITY).waterline.draught_m == pytest.approx(8.02, rel=1e-4)
 
 
 def test_given_draughts_make_a_waterline() -> None:
@@ -82,7 +89,7 @@ def test_what_cannot_float_is_refused() -> None:
         hull.equilibrium(DENSITY * LENGTH_M * BREADTH_M * 8.1, 40.0, DENSITY)
     with pytest.raises(HullError, match="give a positive one"):
         hull.equilibrium(-1.0, 40.0)
-    with pytest.raises(HullError, match=r"centre of buoyancy at x = 75 m"):
-        hull.equilibrium(DENSITY * LENGTH_M * BREADTH_M * 4.0, 75.0, DENSITY)
+    with pytest.raises(HullError, match=r"no trim of up to 0.1 of the length .* x = 79 m"):
+        hull.equilibrium(DENSITY * LENGTH_M * BREADTH_M * 4.0, 79.0, DENSITY)
     with pytest.raises(HullError, match="nothing of the hull is under water"):
         hull.floating_at(hull.waterline(-2.0, -1.0))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -15,13 +15,13 @@ from hullform.hull.sections import Sections, interpolated, quadrature
 
 Array = NDArray[np.float64]
 
-# Rise of the waterline over the length, either way, within which a floating position is looked for: 6 degrees, at
-# which the ends of any ship are out of the water or under it.
+# Rise of the waterline over the length, either way, that a floating position may have: 6 degrees, at which the ends of
+# any ship are out of the water or under it.
 STEEPEST = 0.1
-# Root finding stops here, and Newton's steps go on from there to round-off.
-_DRAUGHT_TOLERANCE_M = 1e-6
-_SLOPE_TOLERANCE = 1e-9
-_NEWTON_STEPS = 4
+# Of the displaced volume: Newton's steps end here, and a position that is further off is none.
+_SHARP, _CLOSE = 1e-15, 1e-9
+_MOST_STEPS = 60
+_LEAST_SHARE_OF_A_STEP = 1e-4
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +70,7 @@ class Waterline:
 
 @dataclass(frozen=True, slots=True)
 class FloatingPosition:
-    """What a hull displaces below a straight waterline, and how far her deck is above it.
+    """What a hull displaces below a straight waterline (`immersed_areas`), and how far her deck is above it.
 
     Attributes:
         waterline: its place.
@@ -84,85 +84,41 @@ class FloatingPosition:
     least_freeboard_m: float
 
 
-class _Below(NamedTuple):
-    """Volume and waterplane below a waterline, moments about midships."""
+class _Misfit(NamedTuple):
+    """What is missing of the volume and of its moment over half a length l, and how both rise with T and slope l."""
 
-    volume: float
-    moment: float
-    plane_area: float
-    plane_moment: float
-    plane_second_moment: float
+    missing: Array
+    rise: Array
 
-
-class _Floats:
-    """Sections at the places of the quadrature, found once for many waterlines."""
-
-    def __init__(self, x: Array, sections: Sections, midships_m: float) -> None:
-        place, self.weight = quadrature(x)
-        self.between = interpolated(x, sections, place)
-        self.lever = place - midships_m
-        reach = STEEPEST * float(np.abs(x - midships_m).max())
-        self.lowest = float(sections.keel.min()) - reach
-        self.highest = float(sections.top.max()) + reach
-
-    def below(self, draught: float, slope: float) -> _Below:
-        height = draught + self.lever * slope
-        area = sectional_areas(self.between, height) * self.weight
-        breadth = 2 * waterline_half_breadths(self.between, height, 0.0) * self.weight
-        first = breadth * self.lever
-        return _Below(
-            float(area.sum()),
-            float(area @ self.lever),
-            float(breadth.sum()),
-            float(first.sum()),
-            float(first @ self.lever),
-        )
-
-    def draught(self, volume: float, slope: float) -> float:
-        """The draught amidships at which a waterline of a slope has a volume below it."""
-        return float(
-            brentq(
-                lambda draught: self.below(draught, slope).volume - volume,
-                self.lowest,
-                self.highest,
-                xtol=_DRAUGHT_TOLERANCE_M,
-            )
-        )
-
-    def lever_at(self, volume: float, slope: float) -> float:
-        """How far forward of midships the centre of buoyancy lies with a volume and a slope, with which it rises."""
-        found = self.below(self.draught(volume, slope), slope)
-        return found.moment / found.volume
-
-    def sharpened(self, draught: float, slope: float, volume: float, moment: float) -> tuple[float, float]:
-        """Newton's steps, whose derivatives are the moments of the waterplane."""
-        best, least = (draught, slope), np.inf
-        for _ in range(_NEWTON_STEPS):
-            found = self.below(draught, slope)
-            missing = np.array([volume - found.volume, moment - found.moment])
-            misfit = abs(missing[0]) + abs(missing[1]) / float(np.abs(self.lever).max())
-            if misfit >= least:
-                break
-            best, least = (draught, slope), misfit
-            rise = np.array([[found.plane_area, found.plane_moment], [found.plane_moment, found.plane_second_moment]])
-            if not np.linalg.det(rise) > 0:
-                break
-            step = np.linalg.solve(rise, missing)
-            draught, slope = draught + float(step[0]), slope + float(step[1])
-        return best
+    @property
+    def size(self) -> float:
+        return float(np.abs(self.missing).sum())
 
 
-def equilibrium_slope(
-    x: Array, sections: Sections, midships_m: float, volume: float, lcg_x_m: float
-) -> tuple[float, float]:
-    """Draught amidships in m and slope of the waterline that has a volume in m3 below it and its centre at an x in m.
+def immersed_areas(sections: Sections, heights: ArrayLike) -> Array:
+    """Areas in m2 of sections below heights in m (broadcast); above the deck the sides go on upright.
+
+    So a hull that was drawn to her waterline floats, and a deck under water makes no hole in the buoyancy; what is
+    above the deck is for the caller to tell, by `FloatingPosition.least_freeboard_m`.
+    """
+    above_deck = np.maximum(np.asarray(heights) - sections.top, 0.0)
+    return sectional_areas(sections, heights) + 2 * sections.half_breadth * above_deck
+
+
+def equilibrium(
+    x: Array, sections: Sections, level: Waterline, volume: float, lcg_x_m: float, deck_tolerance_m: float
+) -> Waterline:
+    """The waterline that has a volume in m3 below it, with its centre at an x in m.
 
     The centre of buoyancy comes to the x of the centre of gravity: as its height is not known, BM_L stands for GM_L.
-    A wall-sided hull's slope is (LCG - LCB) / BM_L, both on even keel.
+    A wall-sided hull's slope is (LCG - LCB) / BM_L, both on even keel. Newton's steps with step halving, from even
+    keel; volume and moment are the gradient of a convex function of draught and slope, so that there is one answer.
 
     Args:
         x: (stations,) places of the sections in m.
         sections: of the hull.
+        level: any waterline of no slope, for its perpendiculars.
+        deck_tolerance_m: how far she may be under water to her deck on even keel and still float.
 
     Raises:
         HullError: the volume is not positive or more than the hull's, or no slope up to `STEEPEST` brings the centre
@@ -170,25 +126,49 @@ def equilibrium_slope(
     """
     if not np.isfinite(volume) or volume <= 0:
         raise HullError(f"a displaced volume of {volume:g} m3 has no draught; give a positive one")
-    floats = _Floats(x, sections, midships_m)
-    whole = floats.below(floats.highest, 0.0).volume
+    place, weight = quadrature(x)
+    between = interpolated(x, sections, place)
+    midships = level.aft_perpendicular_m + level.length_between_perpendiculars_m / 2
+    half_length = float(x[-1] - x[0]) / 2
+    lever = (place - midships) / half_length
+    moment = volume * (lcg_x_m - midships) / half_length
+
+    def misfit(position: Array) -> _Misfit:
+        heights = position[0] + position[1] * lever
+        area = immersed_areas(between, heights) * weight
+        breadth = 2 * waterline_half_breadths(between, heights, np.inf) * weight
+        first = float(breadth @ lever)
+        rise = np.array([[breadth.sum(), first], [first, breadth @ lever**2]])
+        return _Misfit(np.array([volume - area.sum(), moment - area @ lever]), rise)
+
+    whole = float(immersed_areas(between, between.top + deck_tolerance_m) @ weight)
     if volume > whole:
         raise HullError(
             f"the hull displaces {whole:.6g} m3 to her deck, less than the {volume:.6g} m3 asked for; check the "
             "weights, the scale of the body plan and the breadth and depth given"
         )
-    lever = lcg_x_m - midships_m
-    ends = [floats.lever_at(volume, slope) for slope in (-STEEPEST, STEEPEST)]
-    if not ends[0] < lever < ends[1]:
+    lowest, highest = float(sections.keel.min()), float(sections.top.max()) + deck_tolerance_m
+    even_keel = brentq(lambda draught: misfit(np.array([draught, 0.0])).missing[0], lowest, highest)
+    position = np.array([even_keel, 0.0])
+    found = misfit(position)
+    for _ in range(_MOST_STEPS):
+        if found.size <= _SHARP * volume:
+            break
+        step, *_ = np.linalg.lstsq(found.rise, found.missing, rcond=None)
+        share, nearer = 1.0, misfit(position + step)
+        while nearer.size >= found.size and share > _LEAST_SHARE_OF_A_STEP:
+            share /= 2
+            nearer = misfit(position + share * step)
+        if nearer.size >= found.size:
+            break
+        position, found = position + share * step, nearer
+    slope = float(position[1]) / half_length
+    if found.size > _CLOSE * volume or abs(slope) > STEEPEST:
         raise HullError(
-            f"no floating position has its centre of buoyancy at x = {lcg_x_m:.6g} m, where the centre of gravity "
-            f"lies: trims of up to {STEEPEST:g} of the length reach {midships_m + ends[0]:.6g} to "
-            f"{midships_m + ends[1]:.6g} m; check where the weights lie"
+            f"no trim of up to {STEEPEST:g} of the length brings the centre of buoyancy to x = {lcg_x_m:.6g} m, where "
+            "the centre of gravity lies; check where the weights lie"
         )
-    slope = float(
-        brentq(lambda slope: floats.lever_at(volume, slope) - lever, -STEEPEST, STEEPEST, xtol=_SLOPE_TOLERANCE)
-    )
-    return floats.sharpened(floats.draught(volume, slope), slope, volume, volume * lever)
+    return replace(level, draught_m=float(position[0]), slope=slope)
 
 
 def floating_position(x: Array, sections: Sections, waterline: Waterline) -> FloatingPosition:
@@ -198,7 +178,7 @@ def floating_position(x: Array, sections: Sections, waterline: Waterline) -> Flo
         HullError: nothing does.
     """
     place, weight = quadrature(x)
-    area = sectional_areas(interpolated(x, sections, place), waterline.heights(place)) * weight
+    area = immersed_areas(interpolated(x, sections, place), waterline.heights(place)) * weight
     volume = float(area.sum())
     if volume <= 0:
         raise HullError(

@@ -21,7 +21,7 @@ from hullform.hull.drawn import (
     merge_halves,
     station_places,
 )
-from hullform.hull.equilibrium import FloatingPosition, Waterline, equilibrium_slope, floating_position
+from hullform.hull.equilibrium import FloatingPosition, Waterline, equilibrium, floating_position, immersed_areas
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.hull.sections import Sections, interpolated, quadrature
 from hullform.hull.surface import closed_surface
@@ -267,10 +267,14 @@ class Hull:
         Raises HullError for a mass not positive or more than she displaces to her deck, and for a centre of gravity so
         far out that no trim carries it.
         """
-        volume = mass_kg / density
-        draught, slope = equilibrium_slope(self.x_m, self.sections, self.midships_m, volume, lcg_x_m)
-        waterline = Waterline(self.aft_perpendicular_m, self.length_between_perpendiculars_m, draught, slope)
-        return self.floating_at(waterline)
+        tolerance = _DEPTH_TOLERANCE * self.depth_amidships_m
+        level = self.waterline(self.draught_m, self.draught_m)
+        found = equilibrium(self.x_m, self.sections, level, mass_kg / density, lcg_x_m, tolerance)
+        return self.floating_at(found)
+
+    def immersed_areas(self, waterline: Waterline, x_m: ArrayLike) -> Array:
+        """Areas in m2 below a waterline at x_m, the sides going on upright above the deck (`equilibrium`)."""
+        return immersed_areas(self.sections_at(x_m), waterline.heights(x_m))
 
     def section_points(self, points: int = 49, x_m: ArrayLike | None = None) -> Array:
         """Return points (n, points, 2) [half-breadth, height] in m, keel to deck, of the sections or at x_m."""
