@@ -133,8 +133,10 @@ def calibrate(
             scale = 0.5 * (grid.across_m / grid.across.spacing_px + grid.up_m / grid.up.spacing_px)
             words.append(f"scale of a grid of {grid.across_m:g} m by {grid.up_m:g} m")
         else:
-            scale = breadth_m / 2 / _side_px(
-                ink, vertical, base, origin, skew, half_breadth_px or 0.0, 2 * depth_m / breadth_m
+            scale = (
+                breadth_m
+                / 2
+                / _side_px(ink, vertical, base, origin, skew, half_breadth_px or 0.0, 2 * depth_m / breadth_m)
             )
             words.append("no regular grid; scale of the breadth between the outermost lines")
         calibration = similarity(origin, scale, skew, 0.0, "; ".join(words))

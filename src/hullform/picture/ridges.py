@@ -100,7 +100,7 @@ def find_peaks(ink: Ink, width_px: float) -> Peaks:
 
 
 def _crested(ink: Ink, width_px: float) -> Ink:
-    """The ink, raised along the axis of ribbons wider than three lines: merged lines leave a flat top without a ridge."""
+    """The ink, raised along the axis of ribbons wider than three lines, whose flat top has no ridge by itself."""
     depth = cv2.distanceTransform((ink > 0.5).astype(np.uint8), cv2.DIST_L2, 5)
     return np.asarray(ink + CREST * np.maximum(depth / width_px - CREST_FROM, 0.0), dtype=np.float32)
 
