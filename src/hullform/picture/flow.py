@@ -102,12 +102,12 @@ def find_paths(
     leave = constraints.at_ends(leave, [end_of(t) for t in tracklets], scale)
     reward, share = _worth(tracklets, width_px)
     share[constraints.shared(tracklets, links)] = 0.0
-    marked, called = _marked(tracklets, marks)
+    marked, called = _marked(tracklets, marks, width_px)
     if turning.pieces:
         bends = find_bends(tracklets, first, last, turning, mask, frame, scale)
         gain, again = _worth(turning.pieces, width_px)
         across = [MarkInFrame(mark.station, mark.row, turning.rows - 1.0 - mark.column) for mark in marks]
-        there, called_there = _marked(turning.pieces, across)
+        there, called_there = _marked(turning.pieces, across, width_px)
         once, called = np.minimum(there, 1), called | called_there
         reward, share = np.concatenate([reward, gain, gain]), np.concatenate([share, again, again])
         marked = np.concatenate([marked, once, once])
@@ -204,14 +204,17 @@ class Network:
     least: int
 
 
-def _marked(tracklets: list[Tracklet], marks: Sequence[MarkInFrame]) -> tuple[Indices, set[int]]:
+def _marked(tracklets: list[Tracklet], marks: Sequence[MarkInFrame], width_px: float) -> tuple[Indices, set[int]]:
     """Number of stations that are marked on each tracklet, and all stations that are marked on any."""
     stations: list[set[int]] = [set() for _ in tracklets]
     for mark in marks:
         misses = [_miss(mark, tracklet) for tracklet in tracklets]
         if misses and min(misses)[0] < FARTHEST_MARK_PX:
             stations[misses.index(min(misses))].add(mark.station)
-    return np.array([len(there) for there in stations], dtype=np.int64), set().union(*stations)
+    # two marks on the ink of one line mean neighbours that nearly touch: it has room for one
+    room = np.array([max(1, round(float(np.median(t.width)) / width_px)) for t in tracklets])
+    counts = np.minimum([len(there) for there in stations], room)
+    return counts.astype(np.int64), set().union(*stations)
 
 
 def _miss(mark: MarkInFrame, tracklet: Tracklet) -> tuple[float, float]:
