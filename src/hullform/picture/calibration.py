@@ -327,18 +327,18 @@ def _frame(
         heights = np.append(heights, _teeth(grid.up) * grid.up_m)
         buttocks = _teeth(grid.across) * grid.across_m
         vertical = [*vertical, *expected_lines(ink, calibration, buttocks.tolist(), vertical, vertical=True)]
-    horizontal = [*horizontal, *expected_lines(ink, calibration, heights.tolist(), horizontal, vertical=False)]
-    own = np.append(heights, 0.0) / scale
+    hull = [
+        line
+        for line in horizontal
+        if abs(v0 - float(line.at(u0))) > ON_LEVEL_PX and is_flat_of_bottom(line, ink, u0, half_breadth_px)
+    ]
+    expected = expected_lines(ink, calibration, heights.tolist(), horizontal, vertical=False)
+    horizontal = [*(line for line in horizontal if line not in hull), *expected]
     if grid is not None:
         on_grid = [line for line in horizontal if _on_tooth(v0 - float(line.at(u0)), grid)]
         horizontal = [line for line in horizontal if line not in on_grid]
         horizontal += drawn_alike(on_grid, ink, u0, half_breadth_px)
-    frame = []
-    for line in horizontal:
-        across = min(u0 - line.start, line.end - u0) > 0.7 * half_breadth_px
-        on_level = bool((np.abs(v0 - float(line.at(u0)) - own) < ON_LEVEL_PX).any())
-        if across and (on_level or not is_flat_of_bottom(line, ink, u0, half_breadth_px)):
-            frame.append(line)
+    frame = [line for line in horizontal if min(u0 - line.start, line.end - u0) > 0.7 * half_breadth_px]
     frame += [
         line for line in vertical if line.end > v0 - 0.02 * half_breadth_px or _is_side(line, u0, v0, half_breadth_px)
     ]

@@ -26,13 +26,14 @@ LARGEST_TURN = 0.004
 AT_SIDE = 0.01  # of B/2: what goes on farther outboard of the side is a waterline
 SEARCHED_FROM = 0.6  # of B/2
 BILGE = 0.05  # of B/2: how far before and beyond its end the bilge is followed
-LEAST_RISE_PX = 3.0  # of the bilge over that length
+LEAST_RISE_PX = 2.0  # of the bilge over that length
 OUTBOARD = 1.05  # of B/2: up to where waterlines go on outboard
 END_WINDOW = 0.04  # of B/2: the stretch before a line's end
 MOSTLY = 0.7  # of it is drawn
 FEWEST_ALIKE = 3  # waterlines that tell how bold those of a grid are
 BOLDER = 1.5
 FEWEST_PX_OUTBOARD = 8
+WIDEST_STROKE_PX = 4.0
 DRAWN = 0.3
 
 
@@ -115,13 +116,14 @@ def _end_beside(line: StraightLine, ink: Ink, u0: float, sign: int, half_breadth
 
 def _turns_up(line: StraightLine, ink: Ink, u0: float, sign: int, end_px: float, half_breadth_px: float) -> bool:
     """Whether the stroke leaves the line near its end and rises above it, before it meets the side."""
-    last = min(end_px + BILGE * half_breadth_px, half_breadth_px - 2 * line.width)
+    width = min(line.width, WIDEST_STROKE_PX)  # flats of both halves that nearly meet make a wide line
+    last = min(end_px + BILGE * half_breadth_px, half_breadth_px - 1.5 * width)
     columns = np.round(u0 + sign * np.arange(end_px - BILGE * half_breadth_px, last)).astype(np.int64)
     columns = columns[(columns >= 0) & (columns < ink.shape[1])]
     if not columns.size:
         return False
     level = line.at(columns.astype(np.float64))
-    window = int(np.ceil(line.width)) + 2
+    window = int(np.ceil(width)) + 2
     row, rise = round(float(level[0])), 0.0
     for at, column in enumerate(columns.tolist()):
         near = np.arange(max(row - window, 0), min(row + window + 1, ink.shape[0]))
