@@ -117,6 +117,15 @@ def test_a_review_says_what_it_gives(ship: Ship) -> None:
     assert review.account == "the calibration, 1 correction"
 
 
+def test_an_id_that_stands_twice_is_named(ship: Ship) -> None:
+    path = write_review(new_review(ship), ship)
+    document = json.loads(path.read_text(encoding="utf-8"))
+    document["corrections"] = [{"kind": "cut", "id": "c1", "px": [1, 2]}, {"kind": "cut", "id": "c1", "px": [3, 4]}]
+    path.write_text(json.dumps(document), encoding="utf-8")
+    with pytest.raises(ReviewError, match="the id 'c1' stands twice"):
+        read_review(ship)
+
+
 def test_the_schema_is_written_by_its_name(ship: Ship) -> None:
     document = json.loads(write_review(new_review(ship), ship).read_text(encoding="utf-8"))
     assert document["schema"] == 1
