@@ -21,6 +21,7 @@ from hullform.report import girder_figures, hull_figures, hull_view, midship_fig
 from hullform.report.appendix import table_2_blocks
 from hullform.report.drawing import JPEG_QUALITY, Picture, house_style
 from hullform.report.published import FUNCTIONS
+from hullform.report.still_water_figure import still_water_figure
 from hullform.report.wording import ceiling, proven_error, reading_of_mode
 from hullform.rounding import as_given, per_cent, short, signed, significant
 
@@ -80,6 +81,7 @@ def draw_pictures(run: Run) -> dict[str, Picture]:
             hull_figures.area_figure(run),
             hull_view.still_picture(run.hull, run.at_draught.draught_m),
             girder_figures.mass_figure(run),
+            *(still_water_figure(condition) for condition in run.conditions.values()),
             girder_figures.structure_figure(run),
             midship_figure.midship_figure(run),
             *(girder_figures.modes_figure(condition) for condition in run.conditions.values()),
