@@ -46,7 +46,7 @@ def piece(column: Array, row: Array, width: float = float(WIDTH)) -> Tracklet:
 def test_the_side_thins_where_an_inner_station_ends() -> None:
     # the inner station lies 1.5 px inside of the outermost one and ends at 320
     ink = drawing(([(600, 60), (600, 600)], WIDTH), ([(598.5, 60), (598.5, 320)], WIDTH))
-    side = find_side(ink, frame(), float(WIDTH))
+    side = find_side(ink, frame(), float(WIDTH), 600.0)
     assert side.top_px == pytest.approx(600, abs=4)  # round caps of half a width
     assert len(side.steps_px) == 1
     assert side.steps_px[0] == pytest.approx(320, abs=6)  # cap, and the blur that a step may have
@@ -55,14 +55,25 @@ def test_the_side_thins_where_an_inner_station_ends() -> None:
 def test_a_station_that_turns_into_the_side_is_no_step() -> None:
     z = np.linspace(60, 400, 60)
     turning = [(float(600 - 40 * (1 - t) ** 2), float(h)) for t, h in zip(np.linspace(0, 1, 60), z, strict=True)]
-    side = find_side(drawing(([(600, 60), (600, 600)], WIDTH), (turning, WIDTH)), frame(), float(WIDTH))
+    side = find_side(drawing(([(600, 60), (600, 600)], WIDTH), (turning, WIDTH)), frame(), float(WIDTH), 400.0)
     assert side.steps_px == ()
 
 
 def test_labels_on_the_side_do_not_end_it() -> None:
     parts = [[(600.0, 60.0), (600.0, 380.0)], [(600.0, 402.0), (600.0, 420.0)], [(600.0, 442.0), (600.0, 520.0)]]
-    side = find_side(drawing(*((part, WIDTH) for part in parts)), frame(), float(WIDTH))
+    side = find_side(drawing(*((part, WIDTH) for part in parts)), frame(), float(WIDTH), 520.0)
     assert side.top_px == pytest.approx(520, abs=4)
+
+
+def test_labels_above_the_deck_are_no_side() -> None:
+    parts = [[(600.0, 60.0), (600.0, 500.0)], [(600.0, 515.0), (600.0, 530.0)], [(600.0, 545.0), (600.0, 560.0)]]
+    side = find_side(drawing(*((part, WIDTH) for part in parts)), frame(), float(WIDTH), 500.0)
+    assert side.top_px == pytest.approx(500, abs=4)  # the round cap of the stroke
+
+
+def test_a_bold_box_line_does_not_say_where_the_side_ends() -> None:
+    ink = drawing(([(600.0, -30.0), (600.0, 650.0)], WIDTH))
+    assert find_side(ink, frame(), float(WIDTH), 500.0).top_px == pytest.approx(500)
 
 
 def test_a_low_steep_deck_edge_is_found() -> None:

@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 
 from hullform.body_plan import Calibration
 from hullform.errors import PictureError
+from hullform.picture.expected_lines import expected_lines, is_flat_of_bottom
 from hullform.picture.homography import describe, fit_points, fit_without_outliers, similarity
 from hullform.picture.ink import Ink
 from hullform.picture.lines import StraightLine, crossing
-from hullform.picture.scale import Grid, find_grid, outermost_half_breadth
+from hullform.picture.scale import Comb, Grid, find_grid, outermost_half_breadth
 from hullform.ship import CalibrationGiven
 
 Array = NDArray[np.float64]
@@ -25,6 +26,7 @@ BOTH_SIDES = 0.35  # of a horizontal line's length that must lie on either side 
 LARGEST_AFFINE_RESIDUAL_PX = 0.6  # of the crossings of a flat scan
 FEWEST_LINES = 4  # of each family, for a homography
 LEAST_CONVERGENCE = 0.0008  # change of slope over a family: less is how lines are pulled by curves on them
+ON_LEVEL_PX = 3.0  # of a waterline from where the grid has one
 LARGEST_DISAGREEMENT = 0.01  # between scales, beyond which a person should look
 
 
@@ -50,6 +52,7 @@ def calibrate(
     depth_m: float,
     given: CalibrationGiven | None = None,
     name: str = "the picture",
+    draught_m: float | None = None,
 ) -> CalibratedSheet:
     """Find centre line, base line, rotation and scale; values that are given are taken as they are.
 
@@ -60,16 +63,18 @@ def calibrate(
         depth_m: depth at side, to tell the base line from a waterline above it.
         given: [body_plan.calibration] of ship.toml.
         name: what to call the picture in an error.
+        draught_m: where a design waterline may be drawn.
 
     Raises:
         PictureError: neither given nor found: centre line, base line or scale.
     """
+    levels_m = [depth_m] if draught_m is None else [depth_m, draught_m]
     if given is not None and given.points:
         calibration = _from_points(given, name)
         return CalibratedSheet(
             calibration,
             None,
-            _frame(horizontal, vertical, calibration, breadth_m),
+            _frame(ink, horizontal, vertical, calibration, breadth_m, levels_m),
             (f"calibration: {calibration.source}",),
             (),
         )
@@ -128,7 +133,11 @@ def calibrate(
             scale = 0.5 * (grid.across_m / grid.across.spacing_px + grid.up_m / grid.up.spacing_px)
             words.append(f"scale of a grid of {grid.across_m:g} m by {grid.up_m:g} m")
         else:
-            scale = breadth_m / 2 / _side_px(ink, vertical, base, origin, skew, half_breadth_px or 0.0)
+            scale = (
+                breadth_m
+                / 2
+                / _side_px(ink, vertical, base, origin, skew, half_breadth_px or 0.0, 2 * depth_m / breadth_m)
+            )
             words.append("no regular grid; scale of the breadth between the outermost lines")
         calibration = similarity(origin, scale, skew, 0.0, "; ".join(words))
     if half_breadth_px is not None:
@@ -139,7 +148,7 @@ def calibrate(
                 f"scale: the outermost line lies {measured:.2f} m from the centre line, but B/2 is "
                 f"{breadth_m / 2:.2f} m; check breadth_m and the calibration"
             )
-    frame = _frame(horizontal, vertical, calibration, breadth_m)
+    frame = _frame(ink, horizontal, vertical, calibration, breadth_m, levels_m, grid)
     grid_m = (grid.across_m, grid.up_m) if grid is not None else None
     return CalibratedSheet(calibration, grid_m, frame, (f"calibration: {calibration.source}",), tuple(doubts))
 
@@ -203,6 +212,8 @@ def _base_line(
         return None
     lowest, u = max(wide, key=lambda pair: float(pair[0].at(pair[1])))
     half_breadth = outermost_half_breadth(ink, (u, float(lowest.at(u))), skew)
+    if half_breadth is not None:
+        wide = [(line, u) for line, u in wide if line is lowest or not is_flat_of_bottom(line, ink, u, half_breadth)]
     drawn = np.flatnonzero((ink > 0.25).any(axis=1))
     if half_breadth is None or drawn.size == 0:
         return lowest
@@ -220,6 +231,7 @@ def _side_px(
     origin: tuple[float, float],
     skew: float,
     rough_px: float,
+    depth: float,
 ) -> float:
     """B/2 in px without a grid: from upright lines on both sides near the rough one, else the side's own axis."""
     near = []
@@ -231,7 +243,8 @@ def _side_px(
     if near:
         return float(np.mean(near))
     # axis of the outermost upright ink: the centroid of the outermost run of each row, its outer twentieth
-    z = np.arange(0.02, 1.6, 0.002) * rough_px
+    # up to the depth, in parts of B/2: above it stand numbers
+    z = np.arange(0.02, depth, 0.002) * rough_px
     reach = np.arange(-12, 6.01, 0.25)
     axes = []
     for sign in (-1, 1):
@@ -304,16 +317,40 @@ def _chosen(lines: Sequence[StraightLine], members: NDArray[np.bool_]) -> list[S
 
 
 def _frame(
-    horizontal: Sequence[StraightLine], vertical: Sequence[StraightLine], calibration: Calibration, breadth_m: float
+    ink: Ink,
+    horizontal: Sequence[StraightLine],
+    vertical: Sequence[StraightLine],
+    calibration: Calibration,
+    breadth_m: float,
+    levels_m: Sequence[float],
+    grid: Grid | None = None,
 ) -> tuple[StraightLine, ...]:
     """Lines that are no part of a station: horizontals across both halves, verticals that reach the base line."""
     scale, u0, v0 = calibration.metres_per_px, calibration.centreline_px, calibration.baseline_px
     half_breadth_px = breadth_m / 2 / scale
-    frame = [line for line in horizontal if min(u0 - line.start, line.end - u0) > 0.7 * half_breadth_px]
+    heights = np.array(levels_m)
+    if grid is not None:
+        heights = np.append(heights, _teeth(grid.up) * grid.up_m)
+        buttocks = _teeth(grid.across) * grid.across_m
+        vertical = [*vertical, *expected_lines(ink, calibration, buttocks.tolist(), vertical, vertical=True)]
+    horizontal = [*horizontal, *expected_lines(ink, calibration, heights.tolist(), horizontal, vertical=False)]
+    own = np.append(heights, 0.0) / scale
+    frame = []
+    for line in horizontal:
+        across = min(u0 - line.start, line.end - u0) > 0.7 * half_breadth_px
+        on_level = bool((np.abs(v0 - float(line.at(u0)) - own) < ON_LEVEL_PX).any())
+        if across and (on_level or not is_flat_of_bottom(line, ink, u0, half_breadth_px)):
+            frame.append(line)
     frame += [
         line for line in vertical if line.end > v0 - 0.02 * half_breadth_px or _is_side(line, u0, v0, half_breadth_px)
     ]
     return tuple(frame)
+
+
+def _teeth(comb: Comb) -> Array:
+    """All multiples between the outermost members of a comb."""
+    members = comb.multiples[comb.members]
+    return np.arange(int(members.min()), int(members.max()) + 1).astype(np.float64)
 
 
 def _is_side(line: StraightLine, u0: float, v0: float, half_breadth_px: float) -> bool:

@@ -71,6 +71,8 @@ def find_dome(bare: Ink, frame: DiagonalFrame) -> Dome:
     )
     contour = (height > HIGHEST_LETTER * size) & (left < AT_CENTRE * size) & (width > HIGHEST_LETTER / 2 * size)
     contour &= top + height < DEEPEST * size - 2
+    # a border, or a title block that hangs together with it, goes on outboard of the ship
+    contour[np.unique(labels[round(HIGHEST_LETTER / 2 * size) :, -1])] = False
     contour[0] = False
     mask = contour[labels]
     if not mask.any():

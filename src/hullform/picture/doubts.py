@@ -125,8 +125,8 @@ def doubts_of_scale(
         if NEAR_SIDE < curve[-1, 0] / reading.frame.half_breadth_px < ON_SIDE
     ]
     curves_above = cut_off or any(end > (1 + SCALES_APART) * depth_m for end in ends_m)
-    # with sheer some of them end above the depth, but never those amidships; in a stretched picture all do
-    all_above = cut_off or (bool(ends_m) and min(ends_m) > (1 + SCALES_APART) * depth_m)
+    # with sheer some of them end above the depth, but never those amidships; in a stretched picture all do, and as much
+    all_above = cut_off or (bool(ends_m) and min(ends_m) > depth_m / HOPELESS)
     top = max(tops_m) if max(tops_m) < depth_m else min(tops_m)
     fits = (top / depth_m > 1 - SCALES_APART) and (top / depth_m < 1 + SCALES_APART or not curves_above)
     if fits and not cut_off and widest > AT_SIDE * breadth_m / 2:

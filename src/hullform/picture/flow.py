@@ -42,6 +42,7 @@ Indices = NDArray[np.int64]
 REFERENCE_PX = 800.0  # per B/2: the costs below are for a drawing of this size and scale with it
 COST_OF_CURVE = 45.0  # what a curve must gather: half of the shortest station that is drawn, twice a label's stroke
 MARGIN_OF_ORDER = 0.02  # of B/2: starts nearer than this to an axis lie on it
+BESIDE_CENTRE = 2.0  # of a line's thickness: pieces nearer to the centre line run along it
 REWARD_OF_MARK = 1500.0  # for each curve that runs along the tracklet under a user's mark, one a marked station
 FARTHEST_MARK_PX = 9.0  # from a tracklet that it means
 MOST_UNLISTED = 8  # curves beyond the listed stations that are looked for
@@ -94,19 +95,20 @@ def find_paths(
         return [], 0
     scale = frame.half_breadth_px / REFERENCE_PX
     first, last = Ends.of(tracklets, last=False), Ends.of(tracklets, last=True)
-    links = constraints.of_links(tracklets, *_links(tracklets, first, last, mask, frame, scale))
+    links = constraints.of_links(tracklets, *_links(tracklets, first, last, mask, frame, width_px, scale))
     entry = constraints.at_ends(entry_cost(first, mask, frame, scale), [start_of(t) for t in tracklets], scale)
     entry += COST_OF_CURVE * scale
     leave = exit_cost(last, ink, frame, top_px, side_top_px, scale)
     leave = constraints.at_ends(leave, [end_of(t) for t in tracklets], scale)
     reward, share = _worth(tracklets, width_px)
     share[constraints.shared(tracklets, links)] = 0.0
-    marked = _marked(tracklets, marks)
+    marked, called = _marked(tracklets, marks)
     if turning.pieces:
         bends = find_bends(tracklets, first, last, turning, mask, frame, scale)
         gain, again = _worth(turning.pieces, width_px)
         across = [MarkInFrame(mark.station, mark.row, turning.rows - 1.0 - mark.column) for mark in marks]
-        once = np.minimum(_marked(turning.pieces, across), 1)
+        there, called_there = _marked(turning.pieces, across)
+        once, called = np.minimum(there, 1), called | called_there
         reward, share = np.concatenate([reward, gain, gain]), np.concatenate([share, again, again])
         marked = np.concatenate([marked, once, once])
         entry = np.concatenate([entry, bends.entry + COST_OF_CURVE * scale])
@@ -118,7 +120,9 @@ def find_paths(
         )
         links = links.with_others(bends.source[passable], bends.target[passable], bends.cost[passable])
     reward[marked > 0] -= REWARD_OF_MARK * scale
-    network = Network(reward, share, links, entry, leave, marked, REWARD_OF_MARK * scale, len(turning.pieces))
+    network = Network(
+        reward, share, links, entry, leave, marked, REWARD_OF_MARK * scale, len(turning.pieces), len(called)
+    )
 
     def solve(units: int) -> Flow | None:
         return _solve(network, units)
@@ -186,6 +190,7 @@ class Network:
         reward_of_mark: for each further curve up to that number.
         twins: the last 2 * twins pieces are so many walked one way, then the same walked the other way: each is used
             once.
+        least: number of curves: a marked station has one of its own.
     """
 
     reward: Array
@@ -196,25 +201,37 @@ class Network:
     marked: Indices
     reward_of_mark: float
     twins: int
+    least: int
 
 
-def _marked(tracklets: list[Tracklet], marks: Sequence[MarkInFrame]) -> Indices:
-    """Number of stations that are marked on each tracklet."""
+def _marked(tracklets: list[Tracklet], marks: Sequence[MarkInFrame]) -> tuple[Indices, set[int]]:
+    """Number of stations that are marked on each tracklet, and all stations that are marked on any."""
     stations: list[set[int]] = [set() for _ in tracklets]
     for mark in marks:
-        misses = [
-            abs(float(np.interp(mark.column, t.column, t.row)) - mark.row)
-            if t.column[0] - 4 <= mark.column <= t.column[-1] + 4
-            else np.inf
-            for t in tracklets
-        ]
-        if misses and min(misses) < FARTHEST_MARK_PX:
-            stations[int(np.argmin(misses))].add(mark.station)
-    return np.array([len(there) for there in stations], dtype=np.int64)
+        misses = [_miss(mark, tracklet) for tracklet in tracklets]
+        if misses and min(misses)[0] < FARTHEST_MARK_PX:
+            stations[misses.index(min(misses))].add(mark.station)
+    return np.array([len(there) for there in stations], dtype=np.int64), set().union(*stations)
+
+
+def _miss(mark: MarkInFrame, tracklet: Tracklet) -> tuple[float, float]:
+    """How far a mark lies from the ink of a tracklet, which may be a ribbon of several lines, and from its axis, px."""
+    if not tracklet.column[0] - 4 <= mark.column <= tracklet.column[-1] + 4:
+        return np.inf, np.inf
+    low, axis, high = (
+        float(np.interp(mark.column, tracklet.column, rows)) for rows in (tracklet.low, tracklet.row, tracklet.high)
+    )
+    return max(low - mark.row, mark.row - high, 0.0), abs(mark.row - axis)
 
 
 def _links(
-    tracklets: list[Tracklet], first: Ends, last: Ends, mask: Mask, frame: DiagonalFrame, scale: float
+    tracklets: list[Tracklet],
+    first: Ends,
+    last: Ends,
+    mask: Mask,
+    frame: DiagonalFrame,
+    width_px: float,
+    scale: float,
 ) -> tuple[Indices, Indices, Array]:
     """Which tracklet may follow which, and the cost: mismatch in the middle of the gap, bend, gap length."""
     size = frame.half_breadth_px
@@ -245,6 +262,8 @@ def _links(
     with np.errstate(divide="ignore", invalid="ignore"):
         meet = (to_row - to_slope * distance - from_row) / -turn
     knuckle = (np.abs(turn) > 0.35) & (span <= 0.03 * size) & (meet >= -4) & (meet <= span + 4)
+    # a curve that meets the centre line at an angle meets its mirror image there
+    knuckle &= frame.to_drawing(last.column, last.row)[0][source] > BESIDE_CENTRE * width_px
     cost = np.where(knuckle, np.minimum(cost, COST_OF_KNUCKLE * scale + span), cost)
     steep = np.abs(to_row - from_row) > (STEEPEST + 0.1) * span + 4
     broken = (certain >= 1.0) & (bend > 0.9) & ~knuckle
@@ -294,13 +313,15 @@ def _solve(network: Network, most: int) -> Flow | None:
     signs = np.concatenate([np.ones(m + n), inside, np.ones(m + n), inside])
     balance = coo_matrix((signs, (rows, columns)), shape=(2 * n, len(cost))).tocsr()
     pair = np.arange(twins)
-    bounded_rows = np.concatenate([np.zeros(n, dtype=np.int64), 1 + pair, 1 + pair])
-    bounded_columns = np.concatenate([entries + node, n - 2 * twins + pair, n - twins + pair])
-    bounded = coo_matrix((np.ones(n + 2 * twins), (bounded_rows, bounded_columns)), shape=(1 + twins, len(cost)))
+    none = np.zeros(n, dtype=np.int64)
+    bounded_rows = np.concatenate([none, none + 1, 2 + pair, 2 + pair])
+    bounded_columns = np.concatenate([entries + node, entries + node, n - 2 * twins + pair, n - twins + pair])
+    weights = np.concatenate([np.ones(n), -np.ones(n), np.ones(2 * twins)])
+    bounded = coo_matrix((weights, (bounded_rows, bounded_columns)), shape=(2 + twins, len(cost)))
     result = linprog(  # type: ignore[call-overload]  # the stubs know no sparse matrices
         cost,
         A_ub=bounded.tocsr(),
-        b_ub=np.concatenate([[float(most)], np.ones(twins)]),
+        b_ub=np.concatenate([[float(most), -float(min(network.least, most))], np.ones(twins)]),
         A_eq=balance,
         b_eq=np.zeros(2 * n),
         bounds=np.column_stack([lower, upper]),

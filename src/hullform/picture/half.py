@@ -21,7 +21,7 @@ from hullform.picture.flow import MarkInFrame, find_paths
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.hand_drawn import course, rank_among, without_ink_of
 from hullform.picture.ink import Ink
-from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
+from hullform.picture.lines import BOLD, HORIZONTAL, VERTICAL, Mask
 from hullform.picture.placing import REACH, Placed
 from hullform.picture.resampling import evenly
 from hullform.picture.ridges import (
@@ -47,7 +47,11 @@ SHEER_FLANK_PX = 3.5  # flat ridges so near the sheer line are the sheer line
 FLAT_SLOPE = 0.6  # db/da of a ridge within 14 degrees of level
 DECK_ZONE = 0.84  # of the depth: without a sheer line found, level ridges above it are taken for the deck
 LEVEL_SLOPE = 0.8
+CLEAR_OF_DECK = 0.03  # of B/2: a piece that ends so far above a line has passed it
+TALLER_THAN_FIGURES = 0.07  # of B/2: twice the height of a station's number
+FEWEST_PASSING = 2  # pieces that tell that a line is no deck
 NEAR_DEPTH = 0.12  # of the depth: a side drawn so high goes to the depth, by its meaning; lower, the deck is stepped
+OUTBOARD = 0.012  # of B/2: beyond the line of B/2, where stations run along it, are figures and lines of the sheet
 SHORTEST_UNUSED_PX = 12  # of a line that is shown as one that no curve took
 HIDDEN_BY_GRID = 0.7  # share of a curve that can be seen through a close grid: more missing counts against it
 
@@ -145,22 +149,37 @@ def prepare_half(
     if dome.depth_px > 0:
         frame = replace(frame, bottom_px=-dome.depth_px)
         here = only_contours(frame.sample(bare), frame, dome)
-    hidden = _widened(frame.sample_mask(mask), width)
-    side = find_side(ink, frame, width)
+    lines = frame.sample_mask(mask)
+    hidden = _widened(lines, width)
+    side = find_side(ink, frame, width, depth_px)
     side_top = side.top_px
     if side_top is not None and abs(side_top / depth_px - 1) < NEAR_DEPTH:
         side_top = depth_px
     sheer = find_sheer(bare, frame, depth_px, side_top)
     peaks = find_peaks(here, width)
-    peaks = peaks.chosen(usable(peaks, hidden, frame))
+    peaks = peaks.chosen(usable(peaks, lines, hidden, frame))
+    if side_top is not None:
+        y, _ = frame.to_drawing(peaks.column.astype(np.float64), peaks.row)
+        peaks = peaks.chosen(y < frame.half_breadth_px + max(OUTBOARD * frame.half_breadth_px, 2 * width))
     level = depth_px if deck_line else None
     prepared = HalfInk(
         half, frame, here, hidden, width, width, depth_px, level, side_top, side.steps_px, sheer, peaks, []
     )
+    if level is not None and _passed(prepared):
+        prepared = replace(prepared, deck_level_px=None)
     tracklets = pieces_of_curve(prepared)
     single = float(np.percentile(np.concatenate([t.width for t in tracklets]), 35)) if tracklets else width
     prepared = replace(prepared, single_px=single, tracklets=tracklets)
     return replace(prepared, turning=_pieces_that_turn(prepared))
+
+
+def _passed(prepared: HalfInk) -> bool:
+    """Whether stations go on above the level line at the depth, which is then a waterline."""
+    size, passing = prepared.frame.half_breadth_px, 0
+    for piece in pieces_of_curve(replace(prepared, deck_level_px=None)):
+        _, z = prepared.frame.to_drawing(piece.column.astype(np.float64), piece.row)
+        passing += bool(z[-1] > prepared.depth_px + CLEAR_OF_DECK * size and np.ptp(z) > TALLER_THAN_FIGURES * size)
+    return passing >= FEWEST_PASSING
 
 
 def pieces_of_curve(prepared: HalfInk, flank_px: float | None = None) -> list[Tracklet]:
@@ -294,11 +313,12 @@ def trace_half(
 
 
 def _widened(mask: Mask, width_px: float) -> Mask:
-    """The mask, each family wider by half a line: a curve that touches a line is lost in it."""
+    """The mask, each kind of line wider by half a line: a curve that touches a line is lost in it."""
     kernel = np.ones((2 * round(width_px / 2) + 3,) * 2, np.uint8)
-    vertical = np.asarray(cv2.dilate(mask & VERTICAL, kernel), dtype=np.uint8)
-    horizontal = np.asarray(cv2.dilate(mask & HORIZONTAL, kernel), dtype=np.uint8)
-    return vertical | horizontal
+    vertical, horizontal, bold = (
+        np.asarray(cv2.dilate(mask & bit, kernel), dtype=np.uint8) for bit in (VERTICAL, HORIZONTAL, BOLD)
+    )
+    return vertical | horizontal | bold
 
 
 def _confidence(trace: Trace) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 
 import cv2
@@ -28,6 +28,9 @@ MUCH_WIDER = 1.6  # than B / D: a body plan with a high bow is narrower, one wit
 MUCH_NARROWER = 0.5
 EDGE_BLUR_PX, ORIENTATION_BLUR_PX = 1.5, 3.0
 RISING = 0.3  # real body plans have 0.7 and more, a barge with a tunnel 0.53 in her aft half
+DIAGONAL = 0.35  # of B/2: a straight stroke so long that falls outwards is a diagonal
+DIAGONAL_GAP = 0.03  # of B/2
+DIAGONAL_WIDTH_PX = 11
 AXIS = 0.02  # of B/2 and of D: left out beside the centre line and the base line
 
 
@@ -90,7 +93,7 @@ def likeness(ink: Ink, breadth_by_depth: float) -> str | None:
     return None
 
 
-def require_upright(name: str, bare: Ink, halves: Iterable[HalfInk]) -> None:
+def require_upright(name: str, bare: Ink, halves: Collection[HalfInk]) -> None:
     """Refuse a picture whose curves do not rise from the centre line outwards, as those of every body plan do.
 
     Args:
@@ -108,6 +111,8 @@ def require_upright(name: str, bare: Ink, halves: Iterable[HalfInk]) -> None:
             "flip it where it was mirrored too"
         )
     if rise < RISING:
+        rise = float(np.mean([_rise(bare, half, diagonals=False) for half in halves]))
+    if rise < RISING:
         raise PictureError(
             f"{name}: no body plan: its curves rise from the centre line outwards no more than they fall ({rise:.2f} "
             "on a scale from -1 to 1), as in another view or a photograph; give a body plan, fore and aft "
@@ -115,8 +120,14 @@ def require_upright(name: str, bare: Ink, halves: Iterable[HalfInk]) -> None:
         )
 
 
-def _rise(bare: Ink, half: HalfInk) -> float:
-    """How much more ink rises outwards than falls, from -1 to 1, by the products of its gradients."""
+def _rise(bare: Ink, half: HalfInk, diagonals: bool = True) -> float:
+    """How much more ink rises outwards than falls, from -1 to 1, by the products of its gradients.
+
+    Args:
+        bare: (rows, columns) ink of the picture.
+        half: of it.
+        diagonals: whether long straight strokes that fall outwards count too.
+    """
     frame = half.frame
     size, depth = frame.half_breadth_px, half.depth_px
     y, z = np.meshgrid(np.arange(AXIS * size, size), np.arange(AXIS * depth, depth))
@@ -127,7 +138,22 @@ def _rise(bare: Ink, half: HalfInk) -> float:
     here = cv2.remap(
         product, u.reshape(y.shape).astype(np.float32), v.reshape(y.shape).astype(np.float32), cv2.INTER_LINEAR
     )
+    if not diagonals:
+        here = np.where(_diagonals(here, size), 0.0, here)
     return float(here.sum() / max(float(np.abs(here).sum()), 1e-9))
+
+
+def _diagonals(product: NDArray[np.generic], size: float) -> NDArray[np.bool_]:
+    """Where long straight strokes fall outwards, on a half's upright raster."""
+    falling = np.asarray(product, dtype=np.float32)
+    drawn = (falling < -0.02 * float(np.abs(falling).max())).astype(np.uint8)
+    found = cv2.HoughLinesP(
+        drawn, 1, np.deg2rad(0.5), 60, minLineLength=DIAGONAL * size, maxLineGap=DIAGONAL_GAP * size
+    )
+    out = np.zeros(drawn.shape, np.uint8)
+    for u0, v0, u1, v1 in np.asarray(found if found is not None else [], dtype=np.int64).reshape(-1, 4).tolist():
+        cv2.line(out, (u0, v0), (u1, v1), 1, DIAGONAL_WIDTH_PX)
+    return out > 0
 
 
 def _share_of_small(drawn: NDArray[np.uint8], size_px: float) -> float:

@@ -25,13 +25,17 @@ MOST_CANDIDATES = 80  # of a family
 FAN_NEAREST_PX = 3  # between candidates of different slopes, where the search runs
 LEAST_FAMILY_LENGTH = 0.72  # of the longest lines of the family: shorter ones are pieces of curves
 LARGEST_SLOPE_SPREAD = 0.0022  # between the lines of a family (0.13 deg): curves that look straight differ more
+LARGEST_PULL = 0.005  # of a line's slope by curves that lie on it
+PULLED_PX = 2.5  # of its place
 LARGEST_CONVERGENCE = 0.06  # change of slope of a family across the picture, where a camera leaned
 CONVERGENCE_STEP = 0.002  # between the slopes at which such a family is looked for
 CONVERGENCE_GAIN = 0.8  # lines more, that a convergent family must hold to be believed
+MUCH_LONGER = 1.5  # than a neighbour: a line across both halves beside one of a single half
 BORDER_TOLERANCE = 0.015  # of the picture's width: how nearly the lines of a border meet
 FEWEST_INSIDE = 3  # upright lines, beside which two longer ones may be a border
 BORDER_LONGER = 1.03  # than any other line of its family
-VERTICAL, HORIZONTAL = 1, 2  # bits of the mask
+VERTICAL, HORIZONTAL, BOLD = 1, 2, 4  # bits of the mask
+FAINT_LINE = 0.6  # ink of a line's axis: through a fainter one the curves that cross it can be seen
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,6 +80,12 @@ def crossing(vertical: StraightLine, horizontal: StraightLine) -> tuple[float, f
 
 def find_lines(ink: Ink) -> tuple[list[StraightLine], list[StraightLine]]:
     """The horizontal lines from top to bottom, and the vertical lines from left to right."""
+    horizontal, vertical, _ = find_lines_and_border(ink)
+    return horizontal, vertical
+
+
+def find_lines_and_border(ink: Ink) -> tuple[list[StraightLine], list[StraightLine], list[StraightLine]]:
+    """The horizontal lines from top to bottom, the vertical lines from left to right, and those round the sheet."""
     height, width = ink.shape
     shrink = max(1.0, width / SEARCH_WIDTH_PX)
     small = cv2.resize(
@@ -95,22 +105,39 @@ def find_lines(ink: Ink) -> tuple[list[StraightLine], list[StraightLine]]:
         fan = _fan(along.astype(np.float64), across.astype(np.float64), mean, side)
         # a camera that leaned shows lines that converge; a scanner does not, and there curves that look straight do
         convergent = _convergent(_refined(ink, fan, vertical, shrink), mean, width if vertical else height)
-        parallel = _one_each([x for x in parallel if abs(x.slope - mean) < LARGEST_SLOPE_SPREAD], 4 * shrink)
+        parallel = _one_each(_levelled(ink, parallel, mean), 4 * shrink)
         convergent = _one_each(convergent, 4 * shrink)
         drawn = [sum(line.length for line in family) for family in (parallel, convergent)]
         typical = float(np.median([line.length for line in convergent])) if convergent else 0.0
         families.append(convergent if drawn[1] > drawn[0] + CONVERGENCE_GAIN * typical else parallel)
     horizontal, vertical_ = _without_border(families[0], families[1], width)
-    return _family(horizontal, 4 * shrink), _family(vertical_, 4 * shrink)
+    inside = [*horizontal, *vertical_]
+    border = [line for family in families for line in family if line not in inside]
+    return _family(horizontal, 4 * shrink), _family(vertical_, 4 * shrink), border
 
 
 def _refined(ink: Ink, found: list[tuple[float, float]], vertical: bool, shrink: float) -> list[StraightLine]:
     """The lines at offsets and slopes found on the smaller picture."""
     lines = [
-        _refine(ink, offset * shrink + (shrink - 1) / 2 * (1 - slope), slope, vertical, max(3.0, 2.0 * shrink))
+        refine_line(ink, offset * shrink + (shrink - 1) / 2 * (1 - slope), slope, vertical, max(3.0, 2.0 * shrink))
         for offset, slope in found
     ]
     return [line for line in lines if line is not None]
+
+
+def _levelled(ink: Ink, lines: list[StraightLine], mean: float) -> list[StraightLine]:
+    """The lines of one slope; what curves that lie on a line pulled askew is placed anew along that slope."""
+    out = []
+    for line in lines:
+        turned = abs(line.slope - mean)
+        if turned < LARGEST_SLOPE_SPREAD:
+            out.append(line)
+        elif turned < LARGEST_PULL:
+            t = 0.5 * (line.start + line.end)
+            again = refine_line(ink, float(line.at(t)) - mean * t, mean, line.vertical, PULLED_PX, turns=False)
+            if again is not None:
+                out.append(again)
+    return out
 
 
 def _fan(along: Array, across: Array, mean: float, side: int) -> list[tuple[float, float]]:
@@ -228,8 +255,21 @@ def _across(ink: Ink, centre: Array, t: Array, reach: Array, vertical: bool) -> 
     return np.asarray(cv2.remap(ink, u, v, cv2.INTER_LINEAR), dtype=np.float64)
 
 
-def _refine(ink: Ink, offset: float, slope: float, vertical: bool, window: float) -> StraightLine | None:
-    """Fit a line through the ink centroids of its cross-sections (robust, Tukey weights) and find its run."""
+def refine_line(
+    ink: Ink, offset: float, slope: float, vertical: bool, window: float, turns: bool = True
+) -> StraightLine | None:
+    """Fit a line through the ink centroids of its cross-sections (robust, Tukey weights) and find its run.
+
+    Args:
+        ink: (rows, columns) map of ink.
+        offset, slope: about where it lies.
+        vertical: its family.
+        window: how far to either side, px.
+        turns: whether the slope is fitted too.
+
+    Returns:
+        the line; None where no long one is drawn there.
+    """
     side = ink.shape[0 if vertical else 1]
     t = np.linspace(0, side - 1, 600)
     for reach_px in (window, max(2.5, window / 2)):
@@ -241,14 +281,15 @@ def _refine(ink: Ink, offset: float, slope: float, vertical: bool, window: float
         power = section**2
         centre = offset + slope * t + (power @ reach) / np.maximum(power.sum(axis=1), 1e-9)
         weights = seen.astype(np.float64)
-        design = np.column_stack([np.ones_like(t), t])
+        design = np.column_stack([np.ones_like(t), t])[:, : 2 if turns else 1]
+        fixed = 0.0 if turns else slope * t
         for _ in range(12):
             root = np.sqrt(weights)
-            fit = np.linalg.lstsq(design * root[:, None], centre * root, rcond=None)[0]
-            residual = centre - design @ fit
+            fit = np.linalg.lstsq(design * root[:, None], (centre - fixed) * root, rcond=None)[0]
+            residual = centre - fixed - design @ fit
             scale = 1.4826 * float(np.median(np.abs(residual[seen]))) + 0.05
             weights = seen * np.clip(1 - (residual / (4 * scale)) ** 2, 0, 1) ** 2
-        offset, slope = float(fit[0]), float(fit[1])
+        offset, slope = float(fit[0]), float(fit[1]) if turns else slope
     reach = np.arange(-9, 9.01, 0.5)
     section = _across(ink, offset + slope * t, t, reach, vertical)
     middle = len(reach) // 2
@@ -300,12 +341,15 @@ def _family(lines: list[StraightLine], nearest: float) -> list[StraightLine]:
 
 
 def _one_each(lines: list[StraightLine], nearest: float) -> list[StraightLine]:
-    """The boldest line of each place, sorted across."""
+    """The boldest line of each place, sorted across; a much longer one goes first."""
     kept: list[StraightLine] = []
     for line in sorted(lines, key=lambda x: float(x.at((x.start + x.end) / 2))):
         t = (line.start + line.end) / 2
         if kept and abs(float(line.at(t)) - float(kept[-1].at(t))) < nearest:
-            if line.weight * line.length > kept[-1].weight * kept[-1].length:
+            # a flat of bottom is bolder than the waterline beside it, but ends at the centre line
+            longer = line.length / kept[-1].length
+            bolder = line.weight * line.length > kept[-1].weight * kept[-1].length
+            if longer > MUCH_LONGER or (bolder and longer > 1 / MUCH_LONGER):
                 kept[-1] = line
             continue
         kept.append(line)
@@ -313,7 +357,7 @@ def _one_each(lines: list[StraightLine], nearest: float) -> list[StraightLine]:
 
 
 def subtract_lines(ink: Ink, lines: list[StraightLine]) -> tuple[Ink, Mask]:
-    """The ink without the lines, and a mask of where they lie (bit 1 vertical, bit 2 horizontal).
+    """The ink without the lines, and a mask of where they lie (bit 1 vertical, bit 2 horizontal, bit 4 a bold one).
 
     Each line's own profile, a little enlarged, is taken off, so that a curve that crosses a grey line stays.
     """
@@ -330,5 +374,6 @@ def subtract_lines(ink: Ink, lines: list[StraightLine]) -> tuple[Ink, Mask]:
         rows, columns = (tt[inside], n[inside]) if line.vertical else (n[inside], tt[inside])
         out[rows, columns] -= (1.12 * np.interp(offset[inside], line.profile_at, line.profile)).astype(np.float32)
         covered = np.abs(offset[inside]) <= line.width / 2 + 1.2
-        mask[rows[covered], columns[covered]] |= VERTICAL if line.vertical else HORIZONTAL
+        bold = BOLD if float(line.profile.max()) > FAINT_LINE else 0
+        mask[rows[covered], columns[covered]] |= (VERTICAL if line.vertical else HORIZONTAL) | bold
     return np.clip(out, 0, 1), mask

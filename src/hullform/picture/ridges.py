@@ -15,20 +15,24 @@ from scipy.ndimage import median_filter
 
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
-from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
+from hullform.picture.lines import BOLD, HORIZONTAL, VERTICAL, Mask
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 FAINTEST_RIDGE = 0.16  # ink of a peak after smoothing
+FAINTEST_THROUGH_LINE = 0.35  # of a curve's peak where a faint line was taken off: what that left is fainter
 STEEPEST = 2.2  # db/da of a ridge that is followed: tumblehome of 20 degrees
 LARGEST_STEP_PX = 3.0  # across, between neighbouring columns: that slope and the noise of two peaks
 LARGEST_MISS_PX = 1.3  # between a peak and where its neighbour's slope points
+ALONG, ACROSS = -0.55, -0.3  # db/da beside an upright line: up to one it runs along it, from the other it crosses it
 SHORTEST_PX = 5  # of a tracklet
 JUNCTION_PX = 3.5  # a tracklet that ends so near another one cuts it there
 USUAL_BOLDNESS = 35.0  # percentile of the ink across the lines that is a station's: merged ones are bolder
 HOOK_PX = 1.2  # beside the continuation of its tracklet, an end that lies so far off is a hook
 HAIR_LINE = 0.5  # of that: a line so thin is no station
+CREST = 0.4  # of full ink, for each line width of depth
+CREST_FROM = 1.5  # line widths inside a ribbon: less and the lines in it can be told apart
 WIDEST_PX = 60  # of a ribbon of merged curves, to either side of a peak
 
 
@@ -74,8 +78,9 @@ def find_peaks(ink: Ink, width_px: float) -> Peaks:
         width_px: usual thickness of a line.
     """
     sigma = float(np.clip(0.35 * width_px, 0.8, 1.4))
-    smooth = cv2.GaussianBlur(ink, (0, 0), sigma)
-    wide = cv2.GaussianBlur(ink, (0, 0), max(1.3, 1.4 * sigma))
+    crested = _crested(ink, width_px)
+    smooth = cv2.GaussianBlur(crested, (0, 0), sigma)
+    wide = cv2.GaussianBlur(crested, (0, 0), max(1.3, 1.4 * sigma))
     middle = smooth[1:-1]
     row, column = np.nonzero((middle > smooth[:-2]) & (middle >= smooth[2:]) & (middle > FAINTEST_RIDGE))
     order = np.lexsort((row, column))
@@ -92,6 +97,12 @@ def find_peaks(ink: Ink, width_px: float) -> Peaks:
     slope = np.clip(mixed / np.where(np.abs(normal_row) < 1e-6, 1e-6, -normal_row), -2.5, 2.5)
     low, high = _ribbon(ink, column, row, here)
     return Peaks(column.astype(np.int64), row + offset, here, slope, low, high)
+
+
+def _crested(ink: Ink, width_px: float) -> Ink:
+    """The ink, raised along the axis of ribbons wider than three lines, whose flat top has no ridge by itself."""
+    depth = cv2.distanceTransform((ink > 0.5).astype(np.uint8), cv2.DIST_L2, 5)
+    return np.asarray(ink + CREST * np.maximum(depth / width_px - CREST_FROM, 0.0), dtype=np.float32)
 
 
 def _ribbon(ink: Ink, column: Indices, row: Indices, strength: Array) -> tuple[Array, Array]:
@@ -115,15 +126,27 @@ def _ribbon(ink: Ink, column: Indices, row: Indices, strength: Array) -> tuple[A
     return edges[0], edges[1]
 
 
-def usable(peaks: Peaks, mask: Mask, frame: DiagonalFrame) -> NDArray[np.bool_]:
-    """Peaks inside the half and not on a straight line of the drawing, unless their ridge runs along it."""
-    row = np.clip(np.round(peaks.row).astype(np.int64), 0, mask.shape[0] - 1)
-    here = mask[row, peaks.column]
-    on_vertical = ((here & VERTICAL) > 0) & (peaks.slope > -0.55)
-    on_horizontal = ((here & HORIZONTAL) > 0) & (peaks.slope < 0.55)
+def usable(peaks: Peaks, lines: Mask, beside: Mask, frame: DiagonalFrame) -> NDArray[np.bool_]:
+    """Peaks inside the half and not on a straight line of the drawing.
+
+    Those whose ridge runs along a line are kept, and those of a curve that can be seen through a faint line.
+
+    Args:
+        peaks: of the frame.
+        lines: (rows, columns) where straight lines were taken off; `beside`: where they disturb a curve that runs
+            at a small angle to them.
+        frame: of the half.
+    """
+    row = np.clip(np.round(peaks.row).astype(np.int64), 0, lines.shape[0] - 1)
+    lost = np.zeros(len(row), dtype=np.bool_)
+    # an upright line has the slope -1 in the frame, a level one 1
+    for bit, angle in ((VERTICAL, peaks.slope), (HORIZONTAL, -peaks.slope)):
+        shallow = ((beside[row, peaks.column] & bit) > 0) & (angle < ACROSS)
+        lost |= (((lines[row, peaks.column] & bit) > 0) | shallow) & (angle > ALONG)
+    seen = ((lines[row, peaks.column] & BOLD) == 0) & (peaks.strength >= FAINTEST_THROUGH_LINE)
     y, z = frame.to_drawing(peaks.column.astype(np.float64), peaks.row)
     outside = np.minimum(y, z - frame.bottom_px) < -0.008 * frame.half_breadth_px
-    return ~(on_vertical | on_horizontal | outside)
+    return np.asarray(~((lost & ~seen) | outside))
 
 
 def find_tracklets(peaks: Peaks) -> list[Tracklet]:

@@ -35,6 +35,8 @@ STEADY_PX = 36  # below and above a step, where the thickness stays
 MOST_RESTLESS = 0.4  # of the step
 STROKE_END_PX = 5  # over which the thickness just below and above it is averaged
 LEAST_BESIDE_STEP = 0.8  # of a station's thickness, which the line keeps above and below
+AT_DEPTH = 0.02  # of the depth: a long stroke that ends so near it ends there, by the meaning of the depth
+FAINTEST_BOX_LINE_PX = 0.5  # ink across the line below the base line, where no station is
 
 
 @dataclass(frozen=True)
@@ -50,13 +52,14 @@ class ShipSide:
     steps_px: tuple[float, ...] = ()
 
 
-def find_side(ink: Ink, frame: DiagonalFrame, width_px: float) -> ShipSide:
+def find_side(ink: Ink, frame: DiagonalFrame, width_px: float, depth_px: float) -> ShipSide:
     """How far stations are drawn along the line of B/2.
 
     Args:
         ink: (rows, columns) of the picture, its long lines not taken off.
         frame: of the half.
         width_px: thickness of a station's line.
+        depth_px: depth at side.
     """
     size = frame.half_breadth_px
     z = np.arange(-FOOT * size, frame.top_px)
@@ -65,12 +68,20 @@ def find_side(ink: Ink, frame: DiagonalFrame, width_px: float) -> ShipSide:
     across = cv2.remap(ink, u.astype(np.float32), v.astype(np.float32), cv2.INTER_LINEAR).sum(axis=1) * STEP_PX
     own = float(np.median(across[np.abs(z) < FOOT * size]))
     # a station lies on the line, so that the thicker of the two is seen
-    least = own + SHARE_OF_STATION * (width_px - own) if width_px > CLEARLY_THICKER * own else 0.5 * own
+    tells = width_px > CLEARLY_THICKER * own
+    least = own + SHARE_OF_STATION * (width_px - own) if tells else 0.5 * own
     drawn = (across > least) & (z > FOOT * size)
     kernel = np.ones((max(3, round(SHORTEST * size)), 1), np.uint8)
     runs = np.flatnonzero(cv2.morphologyEx(drawn.astype(np.uint8)[:, None], cv2.MORPH_OPEN, kernel)[:, 0])
     if not runs.size:
         return ShipSide(None)
+    ends = z[runs[np.diff(runs, append=runs[-1] + 2) > 1]]
+    at_depth = np.abs(ends - depth_px) < AT_DEPTH * depth_px
+    # a box line as bold as stations goes on above them, and says nothing of where they end
+    beyond_telling = not tells and own > FAINTEST_BOX_LINE_PX and ends[-1] > depth_px
+    if at_depth.any() or beyond_telling:
+        top = float(ends[at_depth][0]) if at_depth.any() else depth_px
+        return ShipSide(top, _steps(z[z <= top], _thickness(ink, frame, z[z <= top]), width_px))
     strokes = cv2.morphologyEx(
         drawn.astype(np.uint8)[:, None], cv2.MORPH_OPEN, np.ones((SHORTEST_STROKE_PX, 1), np.uint8)
     )

@@ -14,11 +14,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from hullform.picture.diagonals import on_diagonals
 from hullform.picture.ends import Ends
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
-from hullform.picture.lines import HORIZONTAL, VERTICAL, Mask
-from hullform.picture.ridges import Tracklet, find_peaks, find_tracklets
+from hullform.picture.lines import BOLD, HORIZONTAL, VERTICAL, Mask
+from hullform.picture.ridges import FAINTEST_THROUGH_LINE, Tracklet, find_peaks, find_tracklets
 
 Array = NDArray[np.float64]
 Ceiling = Callable[[Array], Array]
@@ -96,8 +97,9 @@ def find_turning(
     row, column = rows - 1 - peaks.column, np.clip(np.round(peaks.row).astype(np.int64), 0, ink.shape[1] - 1)
     here = hidden[row, column]
     # da/db of a vertical line walked upwards is 1, of a level one walked inboard -1
-    on_vertical = ((here & VERTICAL) > 0) & (peaks.slope > 0.55)
-    on_horizontal = ((here & HORIZONTAL) > 0) & (peaks.slope < -0.55)
+    lost = ((here & BOLD) > 0) | (peaks.strength < FAINTEST_THROUGH_LINE)
+    on_vertical = lost & ((here & VERTICAL) > 0) & (peaks.slope > 0.55)
+    on_horizontal = lost & ((here & HORIZONTAL) > 0) & (peaks.slope < -0.55)
     y, z = frame.to_drawing(peaks.row, rows - 1.0 - peaks.column)
     leaning = (peaks.slope < STEEPEST) & (peaks.slope > LARGEST_DESCENT)
     margin = 0.008 * frame.half_breadth_px
@@ -105,6 +107,14 @@ def find_turning(
     # a level line is walked outboard on the columns; the top of a bulb is one that is walked inboard
     level = (peaks.slope < LEVEL) & (z > LOWEST_LEVEL * frame.half_breadth_px)
     good = leaning & inside & ~on_vertical & ~on_horizontal & (level | (covered[row, column] == 0))
+    candidates = np.flatnonzero(good)
+    good[candidates] = ~on_diagonals(
+        peaks.column[candidates].astype(np.float64),
+        peaks.row[candidates],
+        peaks.slope[candidates],
+        y[candidates],
+        frame.half_breadth_px,
+    )
     least_of_tunnel = SHORTEST_OF_TUNNEL * frame.half_breadth_px
     least = SHORTEST * frame.half_breadth_px
     pieces = [piece for piece in find_tracklets(peaks.chosen(good)) if len(piece.column) >= least]
