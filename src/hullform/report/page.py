@@ -16,6 +16,7 @@ import numpy as np
 from hullform.afloat import RADIUS_OF_GYRATION
 from hullform.checks import Check
 from hullform.files import whole_file
+from hullform.loading.gravity import GRAVITY_M_S2
 from hullform.outcome import Run
 from hullform.report import girder_figures, hull_figures, hull_view, midship_figure
 from hullform.report.appendix import table_2_blocks
@@ -128,6 +129,7 @@ def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
         "errors": {name: proven_error(condition, HEADLINE_MODES) for name, condition in run.conditions.items()},
         "radius_of_gyration_m": RADIUS_OF_GYRATION * run.ship.particulars.depth_m,
         "gyration_over_depth": RADIUS_OF_GYRATION,
+        "gravity": GRAVITY_M_S2,
         "at_midships": lambda values: float(np.interp(run.hull.midships_m, run.structure.x_m, values)),
         "versions": {"hullform": version("hullform"), "Python": platform.python_version()}
         | {library: version(library) for library in LIBRARIES},

@@ -23,7 +23,7 @@ def still_water_figure(condition: ConditionRun) -> Picture:
     still, length = condition.at_rest.still_water, condition.girder.length
     figure = Figure(figsize=(PAGE_WIDTH, 5.6))
     load, shear, moment = figure.subplots(3, 1, sharex=True, height_ratios=[1.3, 1, 1])
-    figure.subplots_adjust(left=0.075, right=0.985, top=0.985, bottom=0.085, hspace=0.14)
+    figure.subplots_adjust(left=0.088, right=0.985, top=0.945, bottom=0.085, hspace=0.14)
     _draw_load(load, still, condition, length)
     for axes, curve, extremes, label in (
         (shear, still.shear_force, still.shear_extremes, "V(x), MN"),
@@ -35,6 +35,7 @@ def still_water_figure(condition: ConditionRun) -> Picture:
         axes.axhline(0.0, color=QUIET, linewidth=0.8)
         finish(axes, "", label, length)
         _mark(axes, extremes)
+    figure.align_ylabels()
     moment.set_xlabel("x from the aft end, m")
     title, waterline = condition.condition.title, still.waterline
     drawn_at = "in equilibrium" if condition.at_rest.equilibrium is not None else "which do not carry her"
@@ -43,7 +44,7 @@ def still_water_figure(condition: ConditionRun) -> Picture:
     return as_svg(
         figure,
         f"still-water-{condition.condition.name}",
-        f"{title} in still water, draughts {significant(waterline.draught_aft_m)} m aft and "
+        f"Still water, {title}, draughts {significant(waterline.draught_aft_m)} m aft and "
         f"{significant(waterline.draught_fore_m)} m fore, {drawn_at}: weight and buoyancy, shear force V and bending "
         "moment M, hogging positive, dM/dx = V.",
         f"Weight and buoyancy, shear force and bending moment along the ship, {title}; the largest bending moment is "
@@ -66,10 +67,10 @@ def _draw_load(axes: Axes, still: StillWater, condition: ConditionRun, length_m:
         places = np.array([place for place, _ in points])
         whole = sum(mass for _, mass in points) / 1e3
         label = f"point masses, {significant(whole)} t in all"
-        axes.vlines(places, 0.0, PIN * top, color=INK, linewidth=2.0, label=label)
+        axes.vlines(places, 0.0, PIN * top, color=INK, linewidth=2.0, label=label, clip_on=False)
     finish(axes, "", "weight, buoyancy, t/m", length_m)
     axes.set_ylim(0.0, top)
-    axes.legend(loc="lower center", ncols=5, columnspacing=1.4)
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=5, columnspacing=1.4, borderaxespad=0.2)
 
 
 def _mark(axes: Axes, extremes: Extremes) -> None:
