@@ -74,3 +74,12 @@ def test_a_ship_beyond_them_is_put_on_even_keel(finished_run: Runs, ship: str, c
     assert reason in found["draughts_reason"]
     assert found["draughts"]["aft_m"] == found["draughts"]["fore_m"] == found["hydrostatics"]["draught_m"]
     assert found["doubts"]
+
+
+@pytest.mark.parametrize(("ship", "condition"), CONDITIONS)
+def test_the_report_draws_it_for_every_condition(finished_run: Runs, ship: str, condition: str) -> None:
+    folder = finished_run(ship).folder
+    text = (folder / "figures" / f"still-water-{condition}.svg").read_text(encoding="utf-8")
+    for label in ("weight, buoyancy, t/m", "V(x), MN", "M(x), MN m", "x from the aft end, m"):
+        assert label in text
+    assert f'id="figure-still-water-{condition}"' in (folder / "report.html").read_text(encoding="utf-8")
