@@ -107,11 +107,16 @@ def _end_beside(line: StraightLine, ink: Ink, u0: float, sign: int, half_breadth
     if not columns.size:
         return 0.0
     rows = np.round(line.at(columns.astype(np.float64)))[:, None].astype(np.int64) + np.arange(-1, 2)
-    drawn = ink[np.clip(rows, 0, ink.shape[0] - 1), columns[:, None]].max(axis=1) > DRAWN
+    drawn = ink[np.clip(rows, 0, ink.shape[0] - 1), columns[:, None]].max(axis=1) > _visible(line)
     window = max(1, round(END_WINDOW * half_breadth_px))
     share = np.convolve(drawn, np.ones(window) / window)[: drawn.size]  # of the stretch that ends here
     last = np.flatnonzero(drawn & (share > MOSTLY))
     return float(reach[last[-1]]) if last.size else 0.0
+
+
+def _visible(line: StraightLine) -> float:
+    """Ink that counts as drawn: a part of the line's own, so that faint waterlines are followed to their ends."""
+    return min(DRAWN, 0.4 * float(line.profile.max()))
 
 
 def _turns_up(line: StraightLine, ink: Ink, u0: float, sign: int, end_px: float, half_breadth_px: float) -> bool:
@@ -127,7 +132,7 @@ def _turns_up(line: StraightLine, ink: Ink, u0: float, sign: int, end_px: float,
     row, rise = round(float(level[0])), 0.0
     for at, column in enumerate(columns.tolist()):
         near = np.arange(max(row - window, 0), min(row + window + 1, ink.shape[0]))
-        seen = near[ink[near, column] > DRAWN]
+        seen = near[ink[near, column] > _visible(line)]
         if not seen.size:
             break
         if seen.size < near.size:  # else a line crosses
