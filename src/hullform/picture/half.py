@@ -258,7 +258,7 @@ def trace_half(
         constraints,
         turning,
     )
-    paths = uncrossed(paths, tracklets, prepared.single_px)
+    paths = uncrossed(paths, tracklets, prepared.single_px, constraints.made)
     knuckles = [item for item in placed if isinstance(item.correction, Knuckle)]
     pieces = Pieces(tracklets, turning)
     every = smooth_traces(paths, pieces, prepared.single_px, frame, [tuple(item.at[0]) for item in knuckles])
