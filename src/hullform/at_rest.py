@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from hullform import checks
+from hullform import rest_checks
 from hullform.checks import Check
 from hullform.errors import HullError
 from hullform.hull.equilibrium import FloatingPosition, Waterline
@@ -75,8 +75,8 @@ def at_rest(
     length, depth = hull.length_between_perpendiculars_m, hull.depth_amidships_m
     held: list[Check] = []
     if found is not None:
-        trim = checks.check_equilibrium_trim(found.waterline.trim_m, length)
-        freeboard = checks.check_freeboard(found.least_freeboard_m, depth)
+        trim = rest_checks.check_equilibrium_trim(found.waterline.trim_m, length)
+        freeboard = rest_checks.check_freeboard(found.least_freeboard_m, depth)
         held.append(freeboard)
         if estimated_trim.ok and not trim.ok:
             held.append(trim)
@@ -86,13 +86,13 @@ def at_rest(
     if given is not None:
         adopted, reason = "given draughts", "ship.toml gives the draughts"
         position = hull.floating_at(given)
-        held.append(checks.check_given_draughts(position.volume_m3 * density_kg_m3, mass))
+        held.append(rest_checks.check_given_draughts(position.volume_m3 * density_kg_m3, mass))
         if found is not None:
-            held.append(checks.check_given_trim(given.trim_m, found.waterline.trim_m, length))
+            held.append(rest_checks.check_given_trim(given.trim_m, found.waterline.trim_m, length))
     elif found is None or reason:
         position = hull.floating_at(hull.waterline(even_keel_draught_m, even_keel_draught_m))
     else:
         position = found
     bent = still_water(hull, items, (position if found is None else found).waterline, density_kg_m3)
-    held.append(checks.check_closing(bent.moment_residual))
+    held.append(rest_checks.check_closing(bent.moment_residual))
     return AtRest(position, adopted, reason, found, bent, tuple(held))

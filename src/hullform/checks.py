@@ -23,12 +23,6 @@ MESH_LIMIT_PERCENT = 0.1
 # Trim beyond which 'on even keel' is no description of the ship (by the stern, by the bow).
 TRIM_BY_STERN_LIMIT_PERCENT_LPP = 1.5
 TRIM_BY_BOW_LIMIT_PERCENT_LPP = 0.5
-# A deck may be under water by this share of the depth: a hull drawn to her waterline is read to no better.
-DECK_UNDER_WATER_LIMIT_PERCENT_DEPTH = 0.5
-# BM_L is near LPP: a lever of LCB_LIMIT_PERCENT_LPP trims a ship by about as much.
-GIVEN_TRIM_LIMIT_PERCENT_LPP = LCB_LIMIT_PERCENT_LPP
-# Balanced weights and buoyancy close to round-off; what is left is a position that does not carry her.
-CLOSING_LIMIT_PERCENT = 0.01
 # A shell of the given thickness stands for stiffeners, decks and bottom too: two to four times is usual.
 THICKNESS_FACTOR_LIMITS = (0.5, 6.0)
 # Where the members are given too, the model should come near: what is left is stiffeners, strakes and rounding.
@@ -71,7 +65,7 @@ class Check:
         return f"{significant(self.value)}{unit}, limit {short(self.limit)}{unit}"
 
 
-def _within(
+def within(
     id: str, title: str, value: float, limits: tuple[float, float], unit: str, remedy: str, usual: float
 ) -> Check:
     """A value between two limits; the one on its side of the usual figure is shown."""
@@ -80,8 +74,9 @@ def _within(
     return Check(id, title, value, limit, unit, low <= value <= high, remedy)
 
 
-def _deviation(id: str, title: str, value: float, limit: float, unit: str, remedy: str) -> Check:
-    return _within(id, title, value, (-limit, limit), unit, remedy, usual=0.0)
+def deviation(id: str, title: str, value: float, limit: float, unit: str, remedy: str) -> Check:
+    """A value that must not be further from nought than its limit."""
+    return within(id, title, value, (-limit, limit), unit, remedy, usual=0.0)
 
 
 def checks_of_the_hull(particulars: Particulars, at_draught: Hydrostatics) -> tuple[Check, ...]:
@@ -89,7 +84,7 @@ def checks_of_the_hull(particulars: Particulars, at_draught: Hydrostatics) -> tu
     found: list[Check] = []
     if particulars.displacement_t is not None:
         found.append(
-            _deviation(
+            deviation(
                 "given-displacement",
                 "displacement read at the design draught against [ship] displacement_t",
                 100 * (at_draught.displacement_kg / 1e3 / particulars.displacement_t - 1),
@@ -100,7 +95,7 @@ def checks_of_the_hull(particulars: Particulars, at_draught: Hydrostatics) -> tu
         )
     if particulars.block_coefficient is not None:
         found.append(
-            _deviation(
+            deviation(
                 "given-block-coefficient",
                 "block coefficient read against [ship] block_coefficient",
                 100 * (at_draught.block_coefficient / particulars.block_coefficient - 1),
@@ -113,7 +108,7 @@ def checks_of_the_hull(particulars: Particulars, at_draught: Hydrostatics) -> tu
     if particulars.lcb_from_midships_m is not None:
         length = particulars.length_between_perpendiculars_m
         found.append(
-            _deviation(
+            deviation(
                 "given-lcb",
                 "centre of buoyancy read against [ship] lcb_from_midships_m",
                 100 * (at_draught.lcb_from_midships_m - particulars.lcb_from_midships_m) / length,
@@ -127,7 +122,7 @@ def checks_of_the_hull(particulars: Particulars, at_draught: Hydrostatics) -> tu
 
 def check_mesh(mesh_volume_m3: float, section_volume_m3: float) -> Check:
     """The mesh's volume against that of the sections."""
-    return _deviation(
+    return deviation(
         "mesh-volume",
         "volume of the mesh against that of the sections, to the deck",
         100 * (mesh_volume_m3 / section_volume_m3 - 1),
@@ -141,7 +136,7 @@ def check_thickness(factor: float, given: StructureInput) -> Check:
     """The equivalent-thickness factor: what the given midship second moment makes of the section as modelled."""
     plain = given.is_plain_shell
     section = f"the bare {1000 * given.shell_thickness_m:g} mm shell" if plain else "the section as modelled"
-    return _within(
+    return within(
         "equivalent-thickness",
         f"given midship second moment over that of {section}",
         factor,
@@ -158,7 +153,7 @@ def check_hatches(particulars: Particulars, given: StructureInput, midships_m: f
     """Whether a container ship is open amidships; None for ships of other types."""
     if particulars.type != "container":
         return None
-    return _within(
+    return within(
         "hatch-openings",
         "breadth of a container ship's hatch openings amidships over her own",
         100 * given.opening_breadth_m(midships_m) / particulars.breadth_m,
@@ -172,7 +167,7 @@ def check_hatches(particulars: Particulars, given: StructureInput, midships_m: f
 
 def check_light_ship(beyond_steel_t: float, expected: watson.Estimate) -> Check:
     """Light ship less steel against Watson's estimate of machinery and outfit: within a factor of two."""
-    return _within(
+    return within(
         "light-ship",
         f"light ship less steel, expected near {significant(expected.weight_t)} t of machinery and outfit (Watson)",
         beyond_steel_t,
@@ -189,7 +184,7 @@ def check_steel_numeral(particulars: Particulars) -> Check | None:
     limits = watson.TYPE_FIGURES[particulars.type].numeral_range_m2
     if limits is None:
         return None
-    return _within(
+    return within(
         "steel-estimate",
         f"Watson & Gilfillan's numeral, for the estimated steel weight, against the ships of type {particulars.type} "
         "behind it",
@@ -203,7 +198,7 @@ def check_steel_numeral(particulars: Particulars) -> Check | None:
 
 def check_displacement(mass_kg: float, at_draught: Hydrostatics) -> Check:
     """The loaded ship's mass against her buoyancy at the design draught."""
-    return _deviation(
+    return deviation(
         "displacement",
         f"buoyancy at the design draught {at_draught.draught_m:g} m against the mass of this condition",
         100 * (at_draught.displacement_kg / mass_kg - 1),
@@ -215,7 +210,7 @@ def check_displacement(mass_kg: float, at_draught: Hydrostatics) -> Check:
 
 def check_floating(mass_kg: float, capacity_kg: float, depth_m: float) -> Check:
     """The mass against what the hull displaces when immersed to her depth amidships."""
-    return _within(
+    return within(
         "floats",
         f"mass of this condition over the displacement at the depth {significant(depth_m)} m",
         100 * mass_kg / capacity_kg,
@@ -233,7 +228,7 @@ def check_trim(lcg_m: float, floating: Hydrostatics) -> Check:
     BM_L stands for GM_L, some per cent more: the trim is an estimate.
     """
     lever = floating.lcb_x_m - lcg_m
-    return _within(
+    return within(
         "trim",
         f"trim, by the stern positive, that the lever of {significant(abs(lever))} m between LCG and LCB would cause",
         100 * lever / floating.bm_longitudinal_m,
@@ -244,73 +239,9 @@ def check_trim(lcg_m: float, floating: Hydrostatics) -> Check:
     )
 
 
-def check_equilibrium_trim(trim_m: float, length_m: float) -> Check:
-    """The trim that carries the weights, by the stern positive, against that beyond which she is put on even keel."""
-    return _within(
-        "equilibrium-trim",
-        "trim in equilibrium, by the stern positive",
-        100 * trim_m / length_m,
-        (-TRIM_BY_BOW_LIMIT_PERCENT_LPP, TRIM_BY_STERN_LIMIT_PERCENT_LPP),
-        "% of LPP",
-        "spread the weights so that LCG meets LCB, or add ballast",
-        usual=0.0,
-    )
-
-
-def check_freeboard(least_freeboard_m: float, depth_m: float) -> Check:
-    """The least height of the deck above the waterline that carries the weights."""
-    limit = -DECK_UNDER_WATER_LIMIT_PERCENT_DEPTH / 100 * depth_m
-    return Check(
-        "freeboard",
-        "least height of the deck above the waterline that carries the weights",
-        least_freeboard_m,
-        limit,
-        "m",
-        least_freeboard_m >= limit,
-        "her deck would be under water: check where the weights lie, the depth and the body plan to the deck",
-    )
-
-
-def check_given_draughts(displacement_kg: float, mass_kg: float) -> Check:
-    """What the hull displaces at given draughts against the mass of the condition."""
-    return _deviation(
-        "given-draughts",
-        "displacement at the given draughts against the mass of this condition",
-        100 * (displacement_kg / mass_kg - 1),
-        DISPLACEMENT_LIMIT_PERCENT,
-        "%",
-        "check draught_aft_m, draught_fore_m and the weights",
-    )
-
-
-def check_given_trim(given_m: float, trim_m: float, length_m: float) -> Check:
-    """The trim of given draughts against that which carries the weights."""
-    return _deviation(
-        "given-trim",
-        "trim of the given draughts less that which carries the weights, by the stern positive",
-        100 * (given_m - trim_m) / length_m,
-        GIVEN_TRIM_LIMIT_PERCENT_LPP,
-        "% of LPP",
-        "check draught_aft_m, draught_fore_m and where the weights lie",
-    )
-
-
-def check_closing(residual: float) -> Check:
-    """What is left of the still-water bending moment at the fore end, over the largest along her."""
-    return _within(
-        "closing",
-        "bending moment in still water left at the fore end, over the largest",
-        100 * residual,
-        (0.0, CLOSING_LIMIT_PERCENT),
-        "%",
-        "weight and buoyancy do not balance: no waterline of a moderate trim carries these weights",
-        usual=0.0,
-    )
-
-
 def check_frequency(first_hz: float, length_m: float) -> Check:
     """The first frequency against what hulls of that length have: a wrong unit shows here."""
-    return _within(
+    return within(
         "first-frequency",
         f"first frequency against hulls of {length_m:g} m",
         first_hz,
