@@ -73,7 +73,7 @@ def measure(recipe: Recipe, overlays: Path | None = None) -> Result:
     scores = tuple(score_stations(picture, reading.body_plan.stations))
     if overlays is not None and not all(s.right for s in scores):
         wrong = ",".join(f"{s.half[0]}{s.name}" for s in scores if not s.right)
-        cv2.imwrite(str(overlays / f"{recipe.name}.png"), draw_overlay(reading)[..., ::-1])
+        cv2.imwrite(str(overlays / f"{recipe.name}.png"), draw_overlay(reading))
         (overlays / f"{recipe.name}.txt").write_text(wrong + "\n" + "\n".join(reading.body_plan.doubts) + "\n")
     scale = reading.calibration.metres_per_px
     error = 100 * abs(scale * _true_px_per_m(picture.pixel_from_metres) - 1)

@@ -2,7 +2,8 @@
 
 A station is found where some traced station lies on its curve: RMS distance at most 1.2 % of B/2, at least 90 % of the
 true curve within 3 % of the traced one, at least 95 % of the traced one within 3 % of a true one. It is right where the
-station of the same x and half does.
+station of the same x and half does. What lies in the centre line's own ink, less than half a line from its axis, nobody
+can see: that part of a true curve need not be traced.
 """
 
 from __future__ import annotations
@@ -43,7 +44,8 @@ def score_stations(picture: DrawnPicture, traced: Sequence[Station]) -> list[Sta
     scores = []
     for drawn in picture.stations:
         mine = [s for s in traced if s.half == drawn.half and abs(s.x_m - drawn.x_m) < _SAME_X_M]
-        fits = {id(s): _fit(drawn, s, half_breadth) for s in traced if s.half == drawn.half}
+        hidden = picture.line_px / 2 / picture.scale.px_per_m
+        fits = {id(s): _fit(drawn, s, half_breadth, hidden) for s in traced if s.half == drawn.half}
         rms, right = fits[id(mine[0])] if mine else (None, False)
         area = None
         if right:
@@ -54,11 +56,12 @@ def score_stations(picture: DrawnPicture, traced: Sequence[Station]) -> list[Sta
     return scores
 
 
-def _fit(drawn: DrawnStation, traced: Station, half_breadth_m: float) -> tuple[float, bool]:
+def _fit(drawn: DrawnStation, traced: Station, half_breadth_m: float, hidden_m: float) -> tuple[float, bool]:
     """RMS distance in % of B/2 over the points that are near, and whether the curves are the same."""
     truth = [evenly(curve, _POINTS) for curve in drawn.curves_m]
     read = [evenly(curve.points, _POINTS) for curve in traced.curves]
-    there = distances(np.vstack(truth), read) / half_breadth_m
+    points = np.vstack(truth)
+    there = distances(points[points[:, 0] > hidden_m], read) / half_breadth_m
     back = distances(np.vstack(read), truth) / half_breadth_m
     near = there < _NEAR
     rms = 100 * float(np.sqrt(np.mean(there[near] ** 2))) if near.any() else 99.0

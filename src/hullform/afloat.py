@@ -1,10 +1,11 @@
-"""The ship afloat: structure and weights on the lofted hull, and every condition on even keel, with checks."""
+"""The ship afloat: structure and weights on the lofted hull, and every condition in still water, with checks."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 from hullform import checks
+from hullform.at_rest import AtRest, at_rest
 from hullform.checks import Check
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.hull.loft import Hull
@@ -29,13 +30,15 @@ class ConditionAfloat:
         items: its weights.
         girder: m(x), EI(x), k G A(x) and rotary inertia.
         floating: hydrostatics at the even-keel draught of its mass (at the depth, where she would sink).
-        checks: of floating.
+        at_rest: her waterline, shear force and bending moment.
+        checks: of both.
     """
 
     condition: ConditionInput
     items: tuple[Distribution, ...]
     girder: Girder
     floating: Hydrostatics
+    at_rest: AtRest
     checks: tuple[Check, ...]
 
 
@@ -130,7 +133,9 @@ def _afloat(
     capacity = hull.hydrostatics(depth, density).displacement_kg
     draught = depth if mass > capacity else hull.draught_for(mass, density)
     floating = hull.hydrostatics(draught, density)
-    found = [checks.check_floating(mass, capacity, depth), checks.check_trim(girder.centre_of_gravity, floating)]
+    trim = checks.check_trim(girder.centre_of_gravity, floating)
+    found = [checks.check_floating(mass, capacity, depth), trim]
     if held_against is not None:
         found.insert(0, checks.check_displacement(mass, held_against))
-    return ConditionAfloat(condition, items, girder, floating, tuple(found))
+    rest = at_rest(hull, items, density, draught, trim, None)
+    return ConditionAfloat(condition, items, girder, floating, rest, (*found, *rest.checks))

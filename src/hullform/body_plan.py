@@ -108,6 +108,11 @@ class Calibration:
     residual_px: float
     source: str
 
+    def pixels(self, points_m: NDArray[np.float64]) -> NDArray[np.float64]:
+        """(n, 2) [u, v] px of the picture as stored, of points (n, 2) [y, z] in m, y negative in the left half."""
+        mapped = np.column_stack([points_m, np.ones(len(points_m))]) @ np.array(self.pixel_from_metres).T
+        return np.asarray(mapped[:, :2] / mapped[:, 2:], dtype=np.float64)
+
 
 @dataclass(frozen=True, eq=False)
 class BodyPlan:

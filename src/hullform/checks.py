@@ -23,6 +23,12 @@ MESH_LIMIT_PERCENT = 0.1
 # Trim beyond which 'on even keel' is no description of the ship (by the stern, by the bow).
 TRIM_BY_STERN_LIMIT_PERCENT_LPP = 1.5
 TRIM_BY_BOW_LIMIT_PERCENT_LPP = 0.5
+# A deck may be under water by this share of the depth: a hull drawn to her waterline is read to no better.
+DECK_UNDER_WATER_LIMIT_PERCENT_DEPTH = 0.5
+# BM_L is near LPP: a lever of LCB_LIMIT_PERCENT_LPP trims a ship by about as much.
+GIVEN_TRIM_LIMIT_PERCENT_LPP = LCB_LIMIT_PERCENT_LPP
+# Balanced weights and buoyancy close to round-off; what is left is a position that does not carry her.
+CLOSING_LIMIT_PERCENT = 0.01
 # A shell of the given thickness stands for stiffeners, decks and bottom too: two to four times is usual.
 THICKNESS_FACTOR_LIMITS = (0.5, 6.0)
 # Where the members are given too, the model should come near: what is left is stiffeners, strakes and rounding.
@@ -56,8 +62,13 @@ class Check:
     @property
     def doubt(self) -> str:
         """One sentence for the list of doubts."""
+        return f"{self.title}: {self.figures}; {self.remedy}"
+
+    @property
+    def figures(self) -> str:
+        """The value and its limit."""
         unit = f" {self.unit}" if self.unit else ""
-        return f"{self.title}: {significant(self.value)}{unit}, limit {short(self.limit)}{unit}; {self.remedy}"
+        return f"{significant(self.value)}{unit}, limit {short(self.limit)}{unit}"
 
 
 def _within(
@@ -229,6 +240,70 @@ def check_trim(lcg_m: float, floating: Hydrostatics) -> Check:
         (-TRIM_BY_BOW_LIMIT_PERCENT_LPP, TRIM_BY_STERN_LIMIT_PERCENT_LPP),
         "% of LPP",
         "the frequencies are for even keel: spread the weights so that LCG meets LCB, or add ballast",
+        usual=0.0,
+    )
+
+
+def check_equilibrium_trim(trim_m: float, length_m: float) -> Check:
+    """The trim that carries the weights, by the stern positive, against that beyond which she is put on even keel."""
+    return _within(
+        "equilibrium-trim",
+        "trim in equilibrium, by the stern positive",
+        100 * trim_m / length_m,
+        (-TRIM_BY_BOW_LIMIT_PERCENT_LPP, TRIM_BY_STERN_LIMIT_PERCENT_LPP),
+        "% of LPP",
+        "spread the weights so that LCG meets LCB, or add ballast",
+        usual=0.0,
+    )
+
+
+def check_freeboard(least_freeboard_m: float, depth_m: float) -> Check:
+    """The least height of the deck above the waterline that carries the weights."""
+    limit = -DECK_UNDER_WATER_LIMIT_PERCENT_DEPTH / 100 * depth_m
+    return Check(
+        "freeboard",
+        "least height of the deck above the waterline that carries the weights",
+        least_freeboard_m,
+        limit,
+        "m",
+        least_freeboard_m >= limit,
+        "her deck would be under water: check where the weights lie, the depth and the body plan to the deck",
+    )
+
+
+def check_given_draughts(displacement_kg: float, mass_kg: float) -> Check:
+    """What the hull displaces at given draughts against the mass of the condition."""
+    return _deviation(
+        "given-draughts",
+        "displacement at the given draughts against the mass of this condition",
+        100 * (displacement_kg / mass_kg - 1),
+        DISPLACEMENT_LIMIT_PERCENT,
+        "%",
+        "check draught_aft_m, draught_fore_m and the weights",
+    )
+
+
+def check_given_trim(given_m: float, trim_m: float, length_m: float) -> Check:
+    """The trim of given draughts against that which carries the weights."""
+    return _deviation(
+        "given-trim",
+        "trim of the given draughts less that which carries the weights, by the stern positive",
+        100 * (given_m - trim_m) / length_m,
+        GIVEN_TRIM_LIMIT_PERCENT_LPP,
+        "% of LPP",
+        "check draught_aft_m, draught_fore_m and where the weights lie",
+    )
+
+
+def check_closing(residual: float) -> Check:
+    """What is left of the still-water bending moment at the fore end, over the largest along her."""
+    return _within(
+        "closing",
+        "bending moment in still water left at the fore end, over the largest",
+        100 * residual,
+        (0.0, CLOSING_LIMIT_PERCENT),
+        "%",
+        "weight and buoyancy do not balance: no waterline of a moderate trim carries these weights",
         usual=0.0,
     )
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from hullform.at_rest import AtRest
 from hullform.body_plan import BodyPlan
 from hullform.checks import Check
 from hullform.empirical_figures import EmpiricalFigures
@@ -60,6 +61,7 @@ class ConditionRun:
         items: its weights along the ship.
         girder: m(x) and EI(x).
         floating: hydrostatics at the even-keel draught of its mass (at the depth, where it would sink).
+        at_rest: her waterline, shear force and bending moment in still water.
         checks: what holds and what does not.
         solutions: dry modes, by name: of the Euler-Bernoulli girder 'stodola_ritz', 'ritz', 'ritz_elastic_only' (the
             paper's basis) and 'finite_element'; with shear deflection 'shear'; with rotary inertia too 'timoshenko'.
@@ -74,6 +76,7 @@ class ConditionRun:
     items: tuple[Distribution, ...]
     girder: Girder
     floating: Hydrostatics
+    at_rest: AtRest
     checks: tuple[Check, ...]
     solutions: Mapping[str, Modes]
     bracket: Bracket | str

@@ -134,6 +134,7 @@ def _vibrate(ship: Ship, afloat: ShipAfloat, condition: ConditionAfloat) -> Cond
         items=condition.items,
         girder=girder,
         floating=floating,
+        at_rest=condition.at_rest,
         checks=(*condition.checks, frequency),
         solutions=solutions,
         bracket=_bracket(solutions["stodola_ritz"]),

@@ -24,6 +24,8 @@ class Provenance(_Table):
     ship_file_sha256: str
     image: str
     image_sha256: str
+    review: str | None
+    review_sha256: str | None
     seconds: dict[str, Finite]
 
 

@@ -61,7 +61,8 @@ def write_results(run: Run, path: Path) -> None:
 
 def _provenance(run: Run) -> Provenance:
     packages = ("hullform", "numpy", "scipy", "opencv-python-headless", "trimesh")
-    image = run.ship.body_plan.image_path
+    image, review = run.ship.body_plan.image_path, run.ship.review_path
+    reviewed = review.exists()
     return Provenance(
         program=PROGRAM,
         versions={"python": platform.python_version(), **{name: importlib.metadata.version(name) for name in packages}},
@@ -70,6 +71,8 @@ def _provenance(run: Run) -> Provenance:
         ship_file_sha256=_digest(run.ship.path),
         image=image.name,
         image_sha256=_digest(image),
+        review=review.name if reviewed else None,
+        review_sha256=_digest(review) if reviewed else None,
         seconds=dict(run.seconds),
     )
 

@@ -16,10 +16,8 @@ from hullform.corrections import Correction, Drawn, MarkedStation
 from hullform.errors import ReviewError
 from hullform.files import whole_file
 from hullform.quantities import Number
-from hullform.ship import BodyPlanSource, CalibrationGiven, Half, Ship, Side, StationName
+from hullform.ship import SAME_STATION_M, BodyPlanSource, CalibrationGiven, Half, Ship, Side, StationName
 
-SUFFIX = ".review.json"
-SAME_STATION_M = 1e-3  # as for the marks of ship.toml
 BLOCK_BYTES = 1 << 20
 HALVES: tuple[Half, Half] = ("aft", "fore")
 
@@ -65,6 +63,14 @@ class Review(_Part):
     stations: ReviewedStations | None = None
     corrections: tuple[Correction, ...] = ()
 
+    @property
+    def account(self) -> str:
+        """What it has to say, in words."""
+        said = ["the calibration"] * (self.calibration is not None) + ["the stations"] * (self.stations is not None)
+        count = len(self.corrections)
+        said += [f"{count} correction{'s' if count > 1 else ''}"] * (count > 0)
+        return ", ".join(said) or "nothing"
+
     def applied_to(self, ship: Ship) -> Ship:
         """The ship with the review's calibration, stations and marks in place of those of her file.
 
@@ -87,20 +93,15 @@ class Review(_Part):
         try:
             reviewed = BodyPlanSource.model_validate(changed)
         except ValidationError as error:
-            raise _refused(review_path(ship), error) from None
+            raise _refused(ship.review_path, error) from None
         listed = {"aft": reviewed.aft_stations_m, "fore": reviewed.fore_stations_m}
         for curve in (correction for correction in self.corrections if isinstance(correction, Drawn)):
             if all(abs(curve.station_m - x) > SAME_STATION_M for x in listed[curve.half]):
                 raise ReviewError(
-                    f"{review_path(ship)}: the curve {curve.id} is drawn for station {curve.station_m:g} m of the "
+                    f"{ship.review_path}: the curve {curve.id} is drawn for station {curve.station_m:g} m of the "
                     f"{curve.half} half, which {curve.half}_stations_m does not list; delete it, or list the station"
                 )
         return ship.reading(reviewed)
-
-
-def review_path(ship: Ship) -> Path:
-    """Where the review of a ship lies: beside her ship.toml, by its name."""
-    return ship.path.with_name(ship.path.stem + SUFFIX)
 
 
 def new_review(ship: Ship) -> Review:
@@ -115,7 +116,7 @@ def read_review(ship: Ship) -> Review | None:
     Raises:
         ReviewError: the file is damaged, or was made of another picture.
     """
-    path = review_path(ship)
+    path = ship.review_path
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
@@ -133,7 +134,7 @@ def checked_review(document: object, ship: Ship) -> Review:
     Raises:
         ReviewError: it is no review, or was made of another picture.
     """
-    path = review_path(ship)
+    path = ship.review_path
     try:
         review = Review.model_validate(document)
     except ValidationError as error:
@@ -153,7 +154,7 @@ def write_review(review: Review, ship: Ship) -> Path:
     Raises:
         OutputError: the file cannot be written.
     """
-    path = review_path(ship)
+    path = ship.review_path
     document: dict[str, Any] = review.model_dump(mode="json", by_alias=True, exclude_none=True)
     with whole_file(path) as aside:
         aside.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")

@@ -20,6 +20,9 @@ from hullform.station_names import StationNames, fault_of_names
 
 Half = Literal["aft", "fore"]
 Side = Literal["left", "right"]
+SAME_STATION_M = 1e-3  # nearer to each other, two places along the ship mean one station
+REVIEW_SUFFIX = ".review.json"
+
 StationName = Annotated[str, Field(strict=True, pattern=r"^\S(.*\S)?$", max_length=16)]
 ShipType = Literal[
     "tanker",
@@ -151,7 +154,7 @@ class BodyPlanSource(Table):
     def _marks_name_stations(self) -> Self:
         for mark in self.marks:
             stations = self.aft_stations_m if mark.half == "aft" else self.fore_stations_m
-            if all(abs(mark.station_m - x) > 1e-3 for x in stations):
+            if all(abs(mark.station_m - x) > SAME_STATION_M for x in stations):
                 raise ValueError(
                     f"a mark names station {mark.station_m:g} m of the {mark.half} half, "
                     f"which {mark.half}_stations_m does not list"
@@ -252,8 +255,13 @@ class Ship(Table):
 
     @property
     def files(self) -> tuple[Path, ...]:
-        """What is read: ship.toml and the picture."""
-        return (self._path, self.body_plan.image_path)
+        """What is read: ship.toml, the picture, and the review of it where there is one."""
+        return (self._path, self.body_plan.image_path, self.review_path)
+
+    @property
+    def review_path(self) -> Path:
+        """Where the review of her picture lies: beside her ship.toml, by its name."""
+        return self._path.with_name(self._path.stem + REVIEW_SUFFIX)
 
     def reading(self, body_plan: BodyPlanSource) -> Ship:
         """The same ship with another account of the same picture."""

@@ -19,7 +19,6 @@ from hullform.body_plan import Half
 from hullform.corrections import Correction, DeckEdge, Deleted, Drawn, Ignored, Joined, MarkedStation
 from hullform.errors import ReviewError
 from hullform.picture.reading import PictureReading, read_picture, read_sheet
-from hullform.picture.seen import snap
 from hullform.picture.sheet import Sheet, prepare_sheet
 from hullform.review_file import new_review, write_review
 from hullform.ship import Ship, read_ship
@@ -243,14 +242,3 @@ def test_what_a_page_is_told_fits_the_body_plan() -> None:
         # the middle of a traced curve lies on ink of the stored picture
         u, v = np.round(curve.px[len(curve.px) // 3]).astype(int)
         assert ink[v - 2 : v + 3, u - 2 : u + 3].any()
-
-
-def test_a_click_snaps_to_the_line_under_it() -> None:
-    _, sheet, reading = wigley()
-    u, v = on_station(reading, WIGLEY, "aft", X_M, 0.5)
-    curve = np.array([on_station(reading, WIGLEY, "aft", X_M, share) for share in np.linspace(0.3, 0.7, 60)])
-    for aside in ((4.0, 3.0), (-5.0, 2.0), (0.0, 0.0)):
-        snapped = snap(sheet, (u + aside[0], v + aside[1]))
-        # the axis of a line of three pixels, found on columns at 45 degrees, within half a pixel
-        assert to_polyline(np.array([snapped]), curve).max() < 0.5
-    assert snap(sheet, EMPTY) == EMPTY

@@ -34,7 +34,21 @@ def half_of(lines: Sequence[Array]) -> HalfInk:
     ink = ink_of(image)
     peaks = find_peaks(ink, LINE_PX)
     hidden = np.zeros(ink.shape, np.uint8)
-    bare = HalfInk("aft", FRAME, ink, hidden, LINE_PX, LINE_PX, SIZE_PX, None, None, None, peaks, [])
+    bare = HalfInk(
+        half="aft",
+        frame=FRAME,
+        ink=ink,
+        hidden=hidden,
+        line_width_px=LINE_PX,
+        single_px=LINE_PX,
+        depth_px=SIZE_PX,
+        deck_level_px=None,
+        side_top_px=None,
+        side_steps_px=(),
+        sheer=None,
+        peaks=peaks,
+        tracklets=[],
+    )
     tracklets = pieces_of_curve(bare)
     single = float(np.median(np.concatenate([line.width for line in tracklets])))
     return replace(bare, single_px=single, tracklets=tracklets)

@@ -10,7 +10,7 @@ import pytest
 
 from hullform.corrections import Cut, MarkedStation
 from hullform.errors import ReviewError
-from hullform.review_file import Review, ReviewedStations, new_review, read_review, review_path, write_review
+from hullform.review_file import Review, ReviewedStations, new_review, read_review, write_review
 from hullform.ship import CalibrationGiven, Ship, read_ship
 
 WIGLEY = Path(__file__).parents[2] / "bodyplans" / "wigley"
@@ -39,7 +39,7 @@ def test_a_review_comes_back_as_it_was_written(ship: Ship) -> None:
         }
     )
     path = write_review(review, ship)
-    assert path == review_path(ship) == ship.path.parent / "ship.review.json"
+    assert path == ship.review_path == ship.path.parent / "ship.review.json"
     assert read_review(ship) == review
 
 
@@ -86,7 +86,7 @@ def test_a_changed_picture_is_an_error_that_says_what_to_do(ship: Ship) -> None:
     ],
 )
 def test_a_damaged_review_is_named(ship: Ship, text: str, said: str) -> None:
-    review_path(ship).write_text(text, encoding="utf-8")
+    ship.review_path.write_text(text, encoding="utf-8")
     with pytest.raises(ReviewError, match=said):
         read_review(ship)
 

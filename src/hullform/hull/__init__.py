@@ -1,6 +1,7 @@
 """Sections and the hull: from the stations of a body plan to a closed form that floats."""
 
 from hullform.hull.drawn import Extrapolation, FittedStation
+from hullform.hull.equilibrium import FloatingPosition, Waterline
 from hullform.hull.fitting import SectionFit, fit_super_ellipse
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.hull.loft import Hull, Particulars
@@ -11,6 +12,7 @@ from hullform.hull.super_ellipse import ShellSection, SuperEllipse, shell_sectio
 __all__ = [
     "Extrapolation",
     "FittedStation",
+    "FloatingPosition",
     "Hull",
     "Hydrostatics",
     "Particulars",
@@ -18,6 +20,7 @@ __all__ = [
     "Sections",
     "ShellSection",
     "SuperEllipse",
+    "Waterline",
     "export_mesh",
     "fit_super_ellipse",
     "shell_section",

@@ -21,6 +21,7 @@ from hullform.hull.drawn import (
     merge_halves,
     station_places,
 )
+from hullform.hull.equilibrium import FloatingPosition, Waterline, equilibrium, floating_position, immersed_areas
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.hull.sections import Sections, interpolated, quadrature
 from hullform.hull.surface import closed_surface
@@ -251,6 +252,29 @@ class Hull:
         """
         lowest = float(self.keel_height_m.min())
         return floating.draught_of_volume(self._immersed_volume, mass_kg / density, lowest, self.depth_amidships_m)
+
+    def waterline(self, aft_m: float, fore_m: float) -> Waterline:
+        """The waterline of draughts in m at the aft and the fore perpendicular."""
+        return Waterline.through(self.aft_perpendicular_m, self.length_between_perpendiculars_m, aft_m, fore_m)
+
+    def floating_at(self, waterline: Waterline) -> FloatingPosition:
+        """What she displaces below a waterline; raises HullError where nothing of her is under water."""
+        return floating_position(self.x_m, self.sections, waterline)
+
+    def equilibrium(self, mass_kg: float, lcg_x_m: float, density: float = 1025.0) -> FloatingPosition:
+        """Float her under a mass in kg with its centre of gravity at an x in m, in water of a density in kg/m3.
+
+        Raises HullError for a mass not positive or more than she displaces to her deck, and for a centre of gravity so
+        far out that no trim carries it.
+        """
+        tolerance = _DEPTH_TOLERANCE * self.depth_amidships_m
+        level = self.waterline(self.draught_m, self.draught_m)
+        found = equilibrium(self.x_m, self.sections, level, mass_kg / density, lcg_x_m, tolerance)
+        return self.floating_at(found)
+
+    def immersed_areas(self, waterline: Waterline, x_m: ArrayLike) -> Array:
+        """Areas in m2 below a waterline at x_m, the sides going on upright above the deck (`equilibrium`)."""
+        return immersed_areas(self.sections_at(x_m), waterline.heights(x_m))
 
     def section_points(self, points: int = 49, x_m: ArrayLike | None = None) -> Array:
         """Return points (n, points, 2) [half-breadth, height] in m, keel to deck, of the sections or at x_m."""

@@ -61,6 +61,8 @@ class Distribution:
 
     def at_piece_ends(self, breaks: Array) -> tuple[Array, Array]:
         """Left and right end values on finer pieces between `breaks` (k,), which must hold every own breakpoint."""
+        if not self.left_kg_per_m.size:
+            return np.zeros(breaks.size - 1), np.zeros(breaks.size - 1)
         middle = 0.5 * (breaks[:-1] + breaks[1:])
         piece = np.searchsorted(self.x_m, middle) - 1
         inside = (piece >= 0) & (piece < self.left_kg_per_m.size)

@@ -8,9 +8,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from hullform.loading.gravity import GRAVITY_M_S2
 from hullform.ship import Particulars, ShipType
 
-GRAVITY_M_S2 = 9.81
 KNOTS_PER_M_S = 3600.0 / 1852.0
 # Slow-running diesel engine, dry, with its gearing and shafting left out (Practical Ship Design, p. 110).
 SLOW_DIESEL_T_PER_KW = 0.037

@@ -133,7 +133,11 @@ def calibrate(
             scale = 0.5 * (grid.across_m / grid.across.spacing_px + grid.up_m / grid.up.spacing_px)
             words.append(f"scale of a grid of {grid.across_m:g} m by {grid.up_m:g} m")
         else:
-            scale = breadth_m / 2 / _side_px(ink, vertical, base, origin, skew, half_breadth_px or 0.0)
+            scale = (
+                breadth_m
+                / 2
+                / _side_px(ink, vertical, base, origin, skew, half_breadth_px or 0.0, 2 * depth_m / breadth_m)
+            )
             words.append("no regular grid; scale of the breadth between the outermost lines")
         calibration = similarity(origin, scale, skew, 0.0, "; ".join(words))
     if half_breadth_px is not None:
@@ -208,6 +212,8 @@ def _base_line(
         return None
     lowest, u = max(wide, key=lambda pair: float(pair[0].at(pair[1])))
     half_breadth = outermost_half_breadth(ink, (u, float(lowest.at(u))), skew)
+    if half_breadth is not None:
+        wide = [(line, u) for line, u in wide if line is lowest or not is_flat_of_bottom(line, ink, u, half_breadth)]
     drawn = np.flatnonzero((ink > 0.25).any(axis=1))
     if half_breadth is None or drawn.size == 0:
         return lowest
@@ -225,6 +231,7 @@ def _side_px(
     origin: tuple[float, float],
     skew: float,
     rough_px: float,
+    depth: float,
 ) -> float:
     """B/2 in px without a grid: from upright lines on both sides near the rough one, else the side's own axis."""
     near = []
@@ -236,7 +243,8 @@ def _side_px(
     if near:
         return float(np.mean(near))
     # axis of the outermost upright ink: the centroid of the outermost run of each row, its outer twentieth
-    z = np.arange(0.02, 1.6, 0.002) * rough_px
+    # up to the depth, in parts of B/2: above it stand numbers
+    z = np.arange(0.02, depth, 0.002) * rough_px
     reach = np.arange(-12, 6.01, 0.25)
     axes = []
     for sign in (-1, 1):

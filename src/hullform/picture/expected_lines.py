@@ -22,8 +22,10 @@ SAME_LINE_PX = 1.6  # between a line that is known and where one is looked for
 LARGEST_SHIFT_PX = 2.5
 LARGEST_TURN = 0.004
 REACHES_SIDE = 0.985  # of B/2: a flat of bottom ends inside, where the bilge begins
+SEARCHED_FROM = 0.6  # of B/2
 BILGE = 0.05  # of B/2: how far beyond its end the bilge is followed
-LEAST_RISE_PX = 2.0  # of the bilge over that length
+LEAST_RISE_PX = 3.0  # of the bilge over that length
+LARGEST_GAP_PX = 6  # in a line that goes on
 DRAWN = 0.3
 
 
@@ -39,31 +41,34 @@ def expected_lines(
         known: lines of the family.
         vertical: which family.
     """
-    matrix = np.array(calibration.pixel_from_metres)
-    size_px = ink.shape[0 if vertical else 1]
-    step_m = 0.2 * size_px * calibration.metres_per_px
+    step_m = 0.2 * ink.shape[0 if vertical else 1] * calibration.metres_per_px
     found: list[StraightLine] = []
     for place in places_m:
-        ends = np.array(
-            [[place, 0.0, 1.0], [place, step_m, 1.0]] if vertical else [[-step_m, place, 1], [step_m, place, 1]]
-        )
-        (u0, v0), (u1, v1) = ((p[:2] / p[2]) for p in ends @ matrix.T)
-        t0, n0, t1, n1 = (v0, u0, v1, u1) if vertical else (u0, v0, u1, v1)
-        slope = float((n1 - n0) / (t1 - t0))
-        middle = float(t0 + t1) / 2
-        aim = float(n0 + slope * (middle - t0))
-        if any(abs(float(line.at(middle)) - aim) < SAME_LINE_PX for line in (*known, *found)):
+        offset, slope, middle = _predicted(calibration, place, step_m, vertical)
+        aim = offset + slope * middle
+        if _nearest_px((*known, *found), middle, aim) < SAME_LINE_PX:
             continue
-        line = refine_line(ink, float(n0 - slope * t0), slope, vertical, SEARCH_PX)
-        if (
-            line is None
-            or abs(float(line.at(middle)) - aim) > LARGEST_SHIFT_PX
-            or abs(line.slope - slope) > LARGEST_TURN
-        ):
+        line = refine_line(ink, offset, slope, vertical, SEARCH_PX)
+        if line is None or abs(line.slope - slope) > LARGEST_TURN:
             continue
-        if all(abs(float(line.at(middle)) - float(other.at(middle))) > SAME_LINE_PX for other in (*known, *found)):
+        at = float(line.at(middle))
+        if abs(at - aim) < LARGEST_SHIFT_PX and _nearest_px((*known, *found), middle, at) > SAME_LINE_PX:
             found.append(line)
     return found
+
+
+def _predicted(calibration: Calibration, place_m: float, step_m: float, vertical: bool) -> tuple[float, float, float]:
+    """Offset and slope of a line in px, and the middle of the stretch over which it was predicted."""
+    ends = [(place_m, 0.0), (place_m, step_m)] if vertical else [(-step_m, place_m), (step_m, place_m)]
+    places = np.column_stack([np.array(ends), np.ones(2)]) @ np.array(calibration.pixel_from_metres).T
+    across, along = (0, 1) if vertical else (1, 0)
+    n, t = places[:, across] / places[:, 2], places[:, along] / places[:, 2]
+    slope = float((n[1] - n[0]) / (t[1] - t[0]))
+    return float(n[0] - slope * t[0]), slope, float(t.mean())
+
+
+def _nearest_px(lines: Sequence[StraightLine], t: float, at: float) -> float:
+    return min((abs(float(line.at(t)) - at) for line in lines), default=np.inf)
 
 
 def is_flat_of_bottom(line: StraightLine, ink: Ink, u0: float, half_breadth_px: float) -> bool:
@@ -75,25 +80,30 @@ def is_flat_of_bottom(line: StraightLine, ink: Ink, u0: float, half_breadth_px: 
         u0: of the centre line.
         half_breadth_px: B/2.
     """
-    if max(u0 - line.start, line.end - u0) > REACHES_SIDE * half_breadth_px:
-        return False
-    return all(
-        _turns_up(line, ink, end, sign, BILGE * half_breadth_px) for end, sign in ((line.start, -1), (line.end, 1))
-    )
+    return all(_turns_up(line, ink, u0, sign, half_breadth_px) for sign in (-1, 1))
 
 
-def _turns_up(line: StraightLine, ink: Ink, end: float, sign: int, reach_px: float) -> bool:
-    """Whether the stroke goes on beyond an end and rises above the line, little by little."""
-    columns = np.round(end + sign * np.arange(-reach_px / 2, reach_px)).astype(np.int64)
+def _turns_up(line: StraightLine, ink: Ink, u0: float, sign: int, half_breadth_px: float) -> bool:
+    """Whether the stroke leaves the line short of the side and rises above it, little by little."""
+    columns = np.round(u0 + sign * np.arange(SEARCHED_FROM * half_breadth_px, half_breadth_px)).astype(np.int64)
     columns = columns[(columns >= 0) & (columns < ink.shape[1])]
-    rise = 0.0
-    row = round(float(line.at(float(columns[0]))))
-    for column in columns:
+    if not columns.size:
+        return False
+    level = line.at(columns.astype(np.float64))
+    rows = np.clip(np.round(level)[:, None].astype(np.int64) + np.arange(-1, 2), 0, ink.shape[0] - 1)
+    drawn = np.flatnonzero(ink[rows, columns[:, None]].max(axis=1) > DRAWN)
+    breaks = np.flatnonzero(np.diff(drawn, append=len(columns) + LARGEST_GAP_PX + 1) > LARGEST_GAP_PX)
+    if not drawn.size or drawn[0] > LARGEST_GAP_PX:
+        return False
+    end = int(drawn[breaks[0]])
+    if end > (REACHES_SIDE - SEARCHED_FROM) * half_breadth_px:
+        return False
+    row, rise = round(float(level[max(end - LARGEST_GAP_PX, 0)])), 0.0
+    for at in range(max(end - LARGEST_GAP_PX, 0), min(end + round(BILGE * half_breadth_px), len(columns))):
         near = np.arange(max(row - 3, 0), min(row + 2, ink.shape[0]))
-        drawn = near[ink[near, column] > DRAWN]
-        if not drawn.size:
+        seen = near[ink[near, columns[at]] > DRAWN]
+        if not seen.size:
             break
-        # the upper part of a stroke at most: a steep one leaves the window
-        row = round(float(np.average(drawn, weights=ink[drawn, column])))
-        rise = float(line.at(float(column))) - row
+        row = round(float(np.average(seen, weights=ink[seen, columns[at]])))
+        rise = float(level[at]) - row
     return rise > LEAST_RISE_PX

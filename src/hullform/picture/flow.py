@@ -42,6 +42,7 @@ Indices = NDArray[np.int64]
 REFERENCE_PX = 800.0  # per B/2: the costs below are for a drawing of this size and scale with it
 COST_OF_CURVE = 45.0  # what a curve must gather: half of the shortest station that is drawn, twice a label's stroke
 MARGIN_OF_ORDER = 0.02  # of B/2: starts nearer than this to an axis lie on it
+BESIDE_CENTRE = 2.0  # of a line's thickness: pieces nearer to the centre line run along it
 REWARD_OF_MARK = 1500.0  # for each curve that runs along the tracklet under a user's mark, one a marked station
 FARTHEST_MARK_PX = 9.0  # from a tracklet that it means
 MOST_UNLISTED = 8  # curves beyond the listed stations that are looked for
@@ -94,7 +95,7 @@ def find_paths(
         return [], 0
     scale = frame.half_breadth_px / REFERENCE_PX
     first, last = Ends.of(tracklets, last=False), Ends.of(tracklets, last=True)
-    links = constraints.of_links(tracklets, *_links(tracklets, first, last, mask, frame, scale))
+    links = constraints.of_links(tracklets, *_links(tracklets, first, last, mask, frame, width_px, scale))
     entry = constraints.at_ends(entry_cost(first, mask, frame, scale), [start_of(t) for t in tracklets], scale)
     entry += COST_OF_CURVE * scale
     leave = exit_cost(last, ink, frame, top_px, side_top_px, scale)
@@ -224,7 +225,13 @@ def _miss(mark: MarkInFrame, tracklet: Tracklet) -> tuple[float, float]:
 
 
 def _links(
-    tracklets: list[Tracklet], first: Ends, last: Ends, mask: Mask, frame: DiagonalFrame, scale: float
+    tracklets: list[Tracklet],
+    first: Ends,
+    last: Ends,
+    mask: Mask,
+    frame: DiagonalFrame,
+    width_px: float,
+    scale: float,
 ) -> tuple[Indices, Indices, Array]:
     """Which tracklet may follow which, and the cost: mismatch in the middle of the gap, bend, gap length."""
     size = frame.half_breadth_px
@@ -255,6 +262,8 @@ def _links(
     with np.errstate(divide="ignore", invalid="ignore"):
         meet = (to_row - to_slope * distance - from_row) / -turn
     knuckle = (np.abs(turn) > 0.35) & (span <= 0.03 * size) & (meet >= -4) & (meet <= span + 4)
+    # a curve that meets the centre line at an angle meets its mirror image there
+    knuckle &= frame.to_drawing(last.column, last.row)[0][source] > BESIDE_CENTRE * width_px
     cost = np.where(knuckle, np.minimum(cost, COST_OF_KNUCKLE * scale + span), cost)
     steep = np.abs(to_row - from_row) > (STEEPEST + 0.1) * span + 4
     broken = (certain >= 1.0) & (bend > 0.9) & ~knuckle

@@ -47,7 +47,11 @@ SHEER_FLANK_PX = 3.5  # flat ridges so near the sheer line are the sheer line
 FLAT_SLOPE = 0.6  # db/da of a ridge within 14 degrees of level
 DECK_ZONE = 0.84  # of the depth: without a sheer line found, level ridges above it are taken for the deck
 LEVEL_SLOPE = 0.8
+CLEAR_OF_DECK = 0.03  # of B/2: a piece that ends so far above a line has passed it
+TALLER_THAN_FIGURES = 0.07  # of B/2: twice the height of a station's number
+FEWEST_PASSING = 2  # pieces that tell that a line is no deck
 NEAR_DEPTH = 0.12  # of the depth: a side drawn so high goes to the depth, by its meaning; lower, the deck is stepped
+OUTBOARD = 0.012  # of B/2: beyond the line of B/2, where stations run along it, are figures and lines of the sheet
 SHORTEST_UNUSED_PX = 12  # of a line that is shown as one that no curve took
 HIDDEN_BY_GRID = 0.7  # share of a curve that can be seen through a close grid: more missing counts against it
 
@@ -154,14 +158,28 @@ def prepare_half(
     sheer = find_sheer(bare, frame, depth_px, side_top)
     peaks = find_peaks(here, width)
     peaks = peaks.chosen(usable(peaks, lines, hidden, frame))
+    if side_top is not None:
+        y, _ = frame.to_drawing(peaks.column.astype(np.float64), peaks.row)
+        peaks = peaks.chosen(y < frame.half_breadth_px + max(OUTBOARD * frame.half_breadth_px, 2 * width))
     level = depth_px if deck_line else None
     prepared = HalfInk(
         half, frame, here, hidden, width, width, depth_px, level, side_top, side.steps_px, sheer, peaks, []
     )
+    if level is not None and _passed(prepared):
+        prepared = replace(prepared, deck_level_px=None)
     tracklets = pieces_of_curve(prepared)
     single = float(np.percentile(np.concatenate([t.width for t in tracklets]), 35)) if tracklets else width
     prepared = replace(prepared, single_px=single, tracklets=tracklets)
     return replace(prepared, turning=_pieces_that_turn(prepared))
+
+
+def _passed(prepared: HalfInk) -> bool:
+    """Whether stations go on above the level line at the depth, which is then a waterline."""
+    size, passing = prepared.frame.half_breadth_px, 0
+    for piece in pieces_of_curve(replace(prepared, deck_level_px=None)):
+        _, z = prepared.frame.to_drawing(piece.column, piece.row)
+        passing += bool(z[-1] > prepared.depth_px + CLEAR_OF_DECK * size and np.ptp(z) > TALLER_THAN_FIGURES * size)
+    return passing >= FEWEST_PASSING
 
 
 def pieces_of_curve(prepared: HalfInk, flank_px: float | None = None) -> list[Tracklet]:

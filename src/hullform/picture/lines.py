@@ -25,6 +25,8 @@ MOST_CANDIDATES = 80  # of a family
 FAN_NEAREST_PX = 3  # between candidates of different slopes, where the search runs
 LEAST_FAMILY_LENGTH = 0.72  # of the longest lines of the family: shorter ones are pieces of curves
 LARGEST_SLOPE_SPREAD = 0.0022  # between the lines of a family (0.13 deg): curves that look straight differ more
+LARGEST_PULL = 0.005  # of a line's slope by curves that lie on it
+PULLED_PX = 2.5  # of its place
 LARGEST_CONVERGENCE = 0.06  # change of slope of a family across the picture, where a camera leaned
 CONVERGENCE_STEP = 0.002  # between the slopes at which such a family is looked for
 CONVERGENCE_GAIN = 0.8  # lines more, that a convergent family must hold to be believed
@@ -78,6 +80,12 @@ def crossing(vertical: StraightLine, horizontal: StraightLine) -> tuple[float, f
 
 def find_lines(ink: Ink) -> tuple[list[StraightLine], list[StraightLine]]:
     """The horizontal lines from top to bottom, and the vertical lines from left to right."""
+    horizontal, vertical, _ = find_lines_and_border(ink)
+    return horizontal, vertical
+
+
+def find_lines_and_border(ink: Ink) -> tuple[list[StraightLine], list[StraightLine], list[StraightLine]]:
+    """The horizontal lines from top to bottom, the vertical lines from left to right, and those round the sheet."""
     height, width = ink.shape
     shrink = max(1.0, width / SEARCH_WIDTH_PX)
     small = cv2.resize(
@@ -97,14 +105,16 @@ def find_lines(ink: Ink) -> tuple[list[StraightLine], list[StraightLine]]:
         fan = _fan(along.astype(np.float64), across.astype(np.float64), mean, side)
         # a camera that leaned shows lines that converge; a scanner does not, and there curves that look straight do
         convergent = _convergent(_refined(ink, fan, vertical, shrink), mean, width if vertical else height)
-        parallel = _one_each([x for x in parallel if abs(x.slope - mean) < LARGEST_SLOPE_SPREAD], 4 * shrink)
+        parallel = _one_each(_levelled(ink, parallel, mean), 4 * shrink)
         convergent = _one_each(convergent, 4 * shrink)
         # pieces of curves and letters speak for neither
         drawn = [sum(line.length for line in _family(family, 4 * shrink)) for family in (parallel, convergent)]
         typical = float(np.median([line.length for line in convergent])) if convergent else 0.0
         families.append(convergent if drawn[1] > drawn[0] + CONVERGENCE_GAIN * typical else parallel)
     horizontal, vertical_ = _without_border(families[0], families[1], width)
-    return _family(horizontal, 4 * shrink), _family(vertical_, 4 * shrink)
+    inside = [*horizontal, *vertical_]
+    border = [line for family in families for line in family if line not in inside]
+    return _family(horizontal, 4 * shrink), _family(vertical_, 4 * shrink), border
 
 
 def _refined(ink: Ink, found: list[tuple[float, float]], vertical: bool, shrink: float) -> list[StraightLine]:
@@ -114,6 +124,21 @@ def _refined(ink: Ink, found: list[tuple[float, float]], vertical: bool, shrink:
         for offset, slope in found
     ]
     return [line for line in lines if line is not None]
+
+
+def _levelled(ink: Ink, lines: list[StraightLine], mean: float) -> list[StraightLine]:
+    """The lines of one slope; what curves that lie on a line pulled askew is placed anew along that slope."""
+    out = []
+    for line in lines:
+        turned = abs(line.slope - mean)
+        if turned < LARGEST_SLOPE_SPREAD:
+            out.append(line)
+        elif turned < LARGEST_PULL:
+            t = 0.5 * (line.start + line.end)
+            again = refine_line(ink, float(line.at(t)) - mean * t, mean, line.vertical, PULLED_PX, turns=False)
+            if again is not None:
+                out.append(again)
+    return out
 
 
 def _fan(along: Array, across: Array, mean: float, side: int) -> list[tuple[float, float]]:
@@ -244,8 +269,21 @@ def _across(ink: Ink, centre: Array, t: Array, reach: Array, vertical: bool) -> 
     return np.asarray(cv2.remap(ink, u, v, cv2.INTER_LINEAR), dtype=np.float64)
 
 
-def refine_line(ink: Ink, offset: float, slope: float, vertical: bool, window: float) -> StraightLine | None:
-    """Fit a line through the ink centroids of its cross-sections (robust, Tukey weights) and find its run."""
+def refine_line(
+    ink: Ink, offset: float, slope: float, vertical: bool, window: float, turns: bool = True
+) -> StraightLine | None:
+    """Fit a line through the ink centroids of its cross-sections (robust, Tukey weights) and find its run.
+
+    Args:
+        ink: (rows, columns) map of ink.
+        offset, slope: about where it lies.
+        vertical: its family.
+        window: how far to either side, px.
+        turns: whether the slope is fitted too.
+
+    Returns:
+        the line; None where no long one is drawn there.
+    """
     side = ink.shape[0 if vertical else 1]
     t = np.linspace(0, side - 1, 600)
     for reach_px in (window, max(2.5, window / 2)):
@@ -257,14 +295,15 @@ def refine_line(ink: Ink, offset: float, slope: float, vertical: bool, window: f
         power = section**2
         centre = offset + slope * t + (power @ reach) / np.maximum(power.sum(axis=1), 1e-9)
         weights = seen.astype(np.float64)
-        design = np.column_stack([np.ones_like(t), t])
+        design = np.column_stack([np.ones_like(t), t])[:, : 2 if turns else 1]
+        fixed = 0.0 if turns else slope * t
         for _ in range(12):
             root = np.sqrt(weights)
-            fit = np.linalg.lstsq(design * root[:, None], centre * root, rcond=None)[0]
-            residual = centre - design @ fit
+            fit = np.linalg.lstsq(design * root[:, None], (centre - fixed) * root, rcond=None)[0]
+            residual = centre - fixed - design @ fit
             scale = 1.4826 * float(np.median(np.abs(residual[seen]))) + 0.05
             weights = seen * np.clip(1 - (residual / (4 * scale)) ** 2, 0, 1) ** 2
-        offset, slope = float(fit[0]), float(fit[1])
+        offset, slope = float(fit[0]), float(fit[1]) if turns else slope
     reach = np.arange(-9, 9.01, 0.5)
     section = _across(ink, offset + slope * t, t, reach, vertical)
     middle = len(reach) // 2

@@ -25,10 +25,13 @@ def doubts_of_loose_ends(halves: Sequence[NamedHalf]) -> list[str]:
     for half in halves:
         reading = half.reading
         by_hand = {number for number, _ in reading.drawn}
+        named = sorted(set(half.assigned) - {NO_CURVE})
+        tops = np.array([reading.curves[number][-1] for number in named])
         for x, number in zip(half.inner_first, half.assigned, strict=True):
             if number == NO_CURVE or number in by_hand:
                 continue
-            if where := loose_end(reading.curves[number], reading):
+            fair = off_edge_px(tops, named.index(number)) < ON_DECK * reading.frame.half_breadth_px
+            if where := loose_end(reading.curves[number], reading, fair):
                 doubts.append(f"{half.names.one(x)}: {where}; look at it in the overlay")
         scale, longest = reading.frame.metres_per_px, LONGEST_UNREAD * reading.frame.half_breadth_px
         middles = [line[len(line) // 2] * scale for line in reading.unused if _length(line) > longest]
@@ -45,8 +48,33 @@ def _length(line: Array) -> float:
     return float(np.hypot(*np.diff(line, axis=0).T).sum())
 
 
-def loose_end(curve: Array, reading: HalfReading) -> str:
-    """What is wrong with the ends of a curve, in words; empty where both lie where a station begins and ends."""
+def off_edge_px(tops: Array, index: int) -> float:
+    """How far a curve's upper end lies beside the line through those of its neighbours, which is the deck edge there.
+
+    Args:
+        tops: (curves, 2) [y, z] of the upper ends from the centre line outwards, px.
+        index: of the curve.
+    """
+    if len(tops) < 3:
+        return float(np.inf)
+    first = min(max(index - 1, 0), len(tops) - 3)
+    before, after = (tops[k] for k in range(first, first + 3) if k != index)
+    along = after - before
+    length = float(np.hypot(*along))
+    if length < 1.0:
+        return float(np.hypot(*(tops[index] - before)))
+    across = tops[index] - before
+    return abs(float(along[0] * across[1] - along[1] * across[0])) / length
+
+
+def loose_end(curve: Array, reading: HalfReading, in_line: bool) -> str:
+    """What is wrong with the ends of a curve, in words; empty where both lie where a station begins and ends.
+
+    Args:
+        curve: (n, 2) [y, z], px, keel to deck.
+        reading: of its half.
+        in_line: whether its upper end lies in line with those of its neighbours.
+    """
     size, scale = reading.frame.half_breadth_px, reading.frame.metres_per_px
     (y, z), (top_y, top_z) = curve[0], curve[-1]
     if min(y, z) > ON_AXIS * size:
@@ -57,6 +85,6 @@ def loose_end(curve: Array, reading: HalfReading) -> str:
     at_side = top_y > (1 - ON_SIDE) * size
     between = bool(decks) and min(decks) - ON_DECK * size < top_z < max(decks) + ON_DECK * size
     at_deck = any(abs(top_z - deck) < ON_DECK * size for deck in decks) or (reading.sheer is not None and between)
-    if decks and not at_side and not at_deck:
+    if decks and not (at_side or at_deck or in_line):
         return f"ends in the air at y {top_y * scale:.2f} z {top_z * scale:.2f} m, not at a deck edge"
     return ""

@@ -92,8 +92,7 @@ def _fixed(points: Array) -> NDArray[np.int32]:
 def _pixels(reading: PictureReading, y_m: Array, z_m: Array) -> Array:
     """(n, 2) pixels of points in metres, y negative in the left half."""
     y, z = np.broadcast_arrays(np.asarray(y_m, dtype=np.float64), np.asarray(z_m, dtype=np.float64))
-    mapped = np.column_stack([y, z, np.ones(y.size)]) @ np.array(reading.calibration.pixel_from_metres).T
-    stored = mapped[:, :2] / mapped[:, 2:]
+    stored = reading.calibration.pixels(np.column_stack([y.ravel(), z.ravel()]))
     return np.column_stack(reading.reduction.read((stored[:, 0], stored[:, 1])))
 
 

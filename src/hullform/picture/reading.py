@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -93,6 +93,8 @@ class PictureReading:
 def read_picture(ship: Ship) -> PictureReading:
     """Trace the stations of a body plan picture, as corrected by the review that lies beside her ship.toml.
 
+    The notes then name the review first.
+
     Args:
         ship: [ship] and [body_plan] of a ship.toml with an image.
 
@@ -102,11 +104,12 @@ def read_picture(ship: Ship) -> PictureReading:
     """
     review = read_review(ship)
     corrections: Sequence[Correction] = ()
+    notes: tuple[str, ...] = ()
     if review is not None:
+        notes = (f"{ship.review_path.name} goes before {ship.path.name}; it gives {review.account}",)
         ship, corrections = review.applied_to(ship), review.corrections
-    sheet = prepare_sheet(ship)
-    with explained(str(sheet.path), sheet.ink, ship.particulars.breadth_m, ship.particulars.depth_m):
-        return read_sheet(sheet, ship, corrections)
+    reading = read_sheet(prepare_sheet(ship), ship, corrections)
+    return replace(reading, body_plan=replace(reading.body_plan, notes=(*notes, *reading.body_plan.notes)))
 
 
 def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ()) -> PictureReading:
@@ -118,8 +121,14 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
         corrections: a person's, of the picture.
 
     Raises:
-        PictureError: too few curves.
+        PictureError: too few curves; the message says what the picture looks like, where that is known.
     """
+    main = ship.particulars
+    with explained(str(sheet.path), sheet.ink, main.breadth_m, main.depth_m):
+        return _read(sheet, ship, corrections)
+
+
+def _read(sheet: Sheet, ship: Ship, corrections: Sequence[Correction]) -> PictureReading:
     path, source, main = sheet.path, ship.body_plan, ship.particulars
     named_at_all = bool(source.aft_station_names or source.fore_station_names)
     labels = sheet.labels if named_at_all else ()
@@ -133,7 +142,7 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
         {id for half in halves for id in half.heeded_by_ink},
         {mark for half in halves for mark in half.used_marks},
     )
-    doubts_of_names = [
+    doubts_of_stations = [
         *(doubt for half in halves for doubt in half.doubts),
         *(item.text for item in without_effect),
         *doubts_of_scale(str(path), readings, sheet.ink, sheet.bare, main.breadth_m, main.depth_m),
@@ -146,9 +155,9 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
     ]
     notes_of_input, doubts_of_input = check_input(path.name, sheet.halves.values(), sheet.size_px[0])
     notes = [*sheet.calibrated.notes, *(note for half in halves for note in half.notes), *notes_of_input]
-    if labels is None and doubts_of_names:
+    if labels is None and doubts_of_stations:
         notes.append(LABELS_NOT_READ)
-    doubts = [*sheet.calibrated.doubts, *doubts_of_names, *doubts_of_input, *doubts_of_edges(readings, sheet.bare)]
+    doubts = [*sheet.calibrated.doubts, *doubts_of_stations, *doubts_of_input, *doubts_of_edges(readings, sheet.bare)]
     doubts += doubts_of_loose_ends(halves)
     calibration = sheet.calibrated.calibration
     body_plan = BodyPlan(tuple(stations), "picture", sheet.reduction.stored(calibration), tuple(notes), tuple(doubts))

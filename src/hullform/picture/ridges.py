@@ -31,7 +31,8 @@ JUNCTION_PX = 3.5  # a tracklet that ends so near another one cuts it there
 USUAL_BOLDNESS = 35.0  # percentile of the ink across the lines that is a station's: merged ones are bolder
 HOOK_PX = 1.2  # beside the continuation of its tracklet, an end that lies so far off is a hook
 HAIR_LINE = 0.5  # of that: a line so thin is no station
-CREST = 0.4  # of full ink, a line width inside a ribbon
+CREST = 0.4  # of full ink, for each line width of depth
+CREST_FROM = 1.5  # line widths inside a ribbon: less and the lines in it can be told apart
 WIDEST_PX = 60  # of a ribbon of merged curves, to either side of a peak
 
 
@@ -99,9 +100,9 @@ def find_peaks(ink: Ink, width_px: float) -> Peaks:
 
 
 def _crested(ink: Ink, width_px: float) -> Ink:
-    """The ink, raised along the axis of ribbons wider than two lines: merged lines leave a flat top without a ridge."""
+    """The ink, raised along the axis of ribbons wider than three lines, whose flat top has no ridge by itself."""
     depth = cv2.distanceTransform((ink > 0.5).astype(np.uint8), cv2.DIST_L2, 5)
-    return np.asarray(ink + CREST * np.maximum(depth / width_px - 0.75, 0.0), dtype=np.float32)
+    return np.asarray(ink + CREST * np.maximum(depth / width_px - CREST_FROM, 0.0), dtype=np.float32)
 
 
 def _ribbon(ink: Ink, column: Indices, row: Indices, strength: Array) -> tuple[Array, Array]:

@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from hullform.body_plan import Half
 from hullform.picture.half import HalfReading
-from hullform.picture.placing import REACH, drawing_of_stored, stored_of_drawing
+from hullform.picture.placing import stored_of_drawing
 from hullform.picture.reduction import Reduction
-from hullform.picture.sheet import Sheet
 
 Array = NDArray[np.float64]
 
@@ -102,24 +101,3 @@ def seen_curves(
 def unused_lines(reading: HalfReading, reduction: Reduction) -> tuple[UnusedLine, ...]:
     """The lines of a half that no curve took."""
     return tuple(UnusedLine(reading.half, stored_of_drawing(line, reading.frame, reduction)) for line in reading.unused)
-
-
-def snap(sheet: Sheet, px: tuple[float, float]) -> tuple[float, float]:
-    """The middle of the nearest line within a hand's reach of a pixel of the stored picture; else that pixel."""
-    best: tuple[float, tuple[float, float]] | None = None
-    for prepared in sheet.halves.values():
-        frame, peaks = prepared.frame, prepared.peaks
-        yz = drawing_of_stored(np.array([px], dtype=np.float64), frame, sheet.reduction)
-        column, row = (float(value[0]) for value in frame.from_drawing(yz[:, 0], yz[:, 1]))
-        away = np.hypot(peaks.column - column, peaks.row - row)
-        if not away.size or away.min() > REACH * frame.half_breadth_px:
-            continue
-        at = int(np.argmin(away))
-        # from the nearest peak straight across the line, as far as its tangent passes from the pixel
-        slope = float(peaks.slope[at])
-        along = ((column - peaks.column[at]) + (row - peaks.row[at]) * slope) / (1 + slope**2)
-        foot = np.column_stack(frame.to_drawing(peaks.column[[at]] + along, peaks.row[[at]] + slope * along))
-        u, v = stored_of_drawing(foot, frame, sheet.reduction)[0]
-        if best is None or away[at] < best[0]:
-            best = (float(away[at]), (float(u), float(v)))
-    return px if best is None else best[1]

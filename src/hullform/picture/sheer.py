@@ -34,6 +34,7 @@ BLANK_ABOVE = 0.15  # of B/2: the height over which the paper above should be bl
 DEPTH_TOLERANCE = 0.015  # of the depth: the deck edge at B/2 lies at D, by the meaning of D
 SHORTEST = 0.05  # of B/2: gain below which nothing was found
 
+BELOW_SIDE = 0.1  # of the depth
 SHARE_AT_DEPTH = 0.6  # of the best path's gain that one to the depth must have to be taken instead
 JUMP_PX = 2.0  # between neighbouring points of the line, beyond a slope of 56 degrees
 SHORTEST_RUN = 0.035  # of B/2
@@ -116,6 +117,10 @@ def _sheer_above(
     exact = (weights * z[near]).sum(axis=1) / np.maximum(weights.sum(axis=1), 1e-9)
     at, height_px = y[columns[seen]], exact[seen]
     steady = _long_runs(at, height_px, SHORTEST_RUN * frame.half_breadth_px)
+    # a deck edge falls outwards to where the side ends; what lies far below that is a flat of bottom or a waterline
+    least = side_top_px - BELOW_SIDE * depth_px if lowest < LOWEST and side_top_px is not None else -np.inf
+    if steady.any() and float(height_px[steady][-1]) < least:
+        return None
     # amidships the deck edge lies at half the breadth and at the depth, by the meaning of both, if the side is drawn so
     # high; else the widest stations end lower than the ship's ends
     to_depth = side_top_px is not None and side_top_px > (1 - 2 * DEPTH_TOLERANCE) * depth_px

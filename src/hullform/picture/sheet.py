@@ -18,7 +18,7 @@ from hullform.picture.image_files import Picture, load_grey
 from hullform.picture.ink import Ink, ink_of
 from hullform.picture.labels import Label, can_read_labels, read_labels
 from hullform.picture.likeness import explained, require_upright
-from hullform.picture.lines import find_lines, subtract_lines
+from hullform.picture.lines import find_lines_and_border, subtract_lines
 from hullform.picture.reduction import Reduction, reduced
 from hullform.ship import Ship
 
@@ -73,9 +73,12 @@ def prepare_sheet(ship: Ship) -> Sheet:
     ink = ink_of(grey, str(path))
     given = reduction.given(source.calibration)
     with explained(str(path), ink, main.breadth_m, main.depth_m):
-        calibrated = calibrate(ink, *find_lines(ink), main.breadth_m, main.depth_m, given, str(path), main.draught_m)
+        horizontal, vertical, border = find_lines_and_border(ink)
+        calibrated = calibrate(
+            ink, horizontal, vertical, main.breadth_m, main.depth_m, given, str(path), main.draught_m
+        )
     calibration = calibrated.calibration
-    bare, mask = subtract_lines(ink, list(calibrated.frame_lines))
+    bare, mask = subtract_lines(ink, [*calibrated.frame_lines, *border])
     depth_px = main.depth_m / calibration.metres_per_px
     deck_line = any(
         not line.vertical

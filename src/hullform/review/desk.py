@@ -18,8 +18,8 @@ from hullform.picture.reading import PictureReading, read_sheet
 from hullform.picture.sheet import Sheet, prepare_sheet
 from hullform.review.strip import straightened
 from hullform.review.view import reading_document
-from hullform.review_file import Review, checked_review, new_review, read_review, review_path, write_review
-from hullform.ship import Ship
+from hullform.review_file import Review, checked_review, new_review, read_review, write_review
+from hullform.ship import SAME_STATION_M, Ship
 
 Document = dict[str, Any]
 
@@ -71,8 +71,8 @@ class Desk:
                 "calibrated": source.calibration is not None,
             },
             "picture": {"file": source.image, "width_px": self.size_px[0], "height_px": self.size_px[1]},
-            "review_file": review_path(self.ship).name,
-            "saved_before": review_path(self.ship).exists(),
+            "review_file": self.ship.review_path.name,
+            "saved_before": self.ship.review_path.exists(),
             "review": review_document(self.saved),
         }
         try:
@@ -126,10 +126,10 @@ class Desk:
             PictureError: there is no such curve.
         """
         reading = self._reading
-        for station in () if reading is None else reading.body_plan.stations:
-            if reading is not None and station.half == half and abs(station.x_m - station_m) < 1e-3:
-                image = straightened(reading, station, min(curve, len(station.curves) - 1))
-                return _png(image)
+        if reading is not None:
+            for station in reading.body_plan.stations:
+                if station.half == half and abs(station.x_m - station_m) <= SAME_STATION_M:
+                    return _png(straightened(reading, station, int(np.clip(curve, 0, len(station.curves) - 1))))
         raise PictureError(f"station {station_m:g} m of the {half} half has no curve")
 
     def _sheet(self, ship: Ship) -> Sheet:

@@ -24,19 +24,15 @@ def straightened(reading: PictureReading, station: Station, curve: int) -> NDArr
         station: whose curve.
         curve: its number.
     """
-    points = station.curves[curve].points
-    matrix = np.array(reading.calibration.pixel_from_metres)
-    mapped = np.column_stack([reading.side_of(station.half) * points[:, 0], points[:, 1], np.ones(len(points))])
-    mapped = mapped @ matrix.T
-    stored = mapped[:, 0] / mapped[:, 2], mapped[:, 1] / mapped[:, 2]
-    px = np.column_stack(reading.reduction.read(stored))
+    side = reading.side_of(station.half)
+    stored = reading.calibration.pixels(station.curves[curve].points * np.array([side, 1]))
+    px = np.column_stack(reading.reduction.read((stored[:, 0], stored[:, 1])))
     arc = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(px, axis=0).T))])
     at = np.linspace(0.0, arc[-1], int(np.clip(arc[-1], 2, LONGEST_PX)))
     u, v = (np.interp(at, arc, px[:, k]) for k in (0, 1))
     tangent = np.column_stack([np.gradient(u), np.gradient(v)])
     tangent /= np.maximum(np.hypot(*tangent.T), 1e-9)[:, None]
     # outboard: to the right of a curve that rises on the right half, to its left on the left half
-    side = reading.side_of(station.half)
     normal = np.column_stack([-tangent[:, 1], tangent[:, 0]]) * side
     offsets = np.linspace(REACH_PX, -REACH_PX, ACROSS_PX)[:, None]
     strip = cv2.remap(

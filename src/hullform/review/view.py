@@ -137,10 +137,7 @@ def _standing_of(seen: SeenCurve) -> str:
 
 def _pixels(reading: PictureReading, half: Half, points_m: Array) -> Array:
     """(n, 2) stored pixels of points [half-breadth, height] in metres."""
-    across = reading.side_of(half) * points_m[:, 0]
-    mapped = np.column_stack([across, points_m[:, 1], np.ones(len(points_m))])
-    mapped = mapped @ np.array(reading.calibration.pixel_from_metres).T
-    return np.asarray(mapped[:, :2] / mapped[:, 2:], dtype=np.float64)
+    return reading.calibration.pixels(points_m * np.array([reading.side_of(half), 1]))
 
 
 def _thinned(px: Array) -> list[list[float]]:
