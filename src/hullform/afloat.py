@@ -10,10 +10,12 @@ from hullform.checks import Check
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.hull.loft import Hull
 from hullform.loading.distributions import Distribution, girder_from
+from hullform.loading.items import KG_PER_T
 from hullform.loading.structure import Structure, structure_of
-from hullform.loading.weights import KG_PER_T, LightShip, condition_items, light_ship
-from hullform.ship import ConditionInput, Ship, WeightsInput
+from hullform.loading.weights import LightShip, condition_items, light_ship
+from hullform.ship import Ship
 from hullform.ship_structure import StructureInput
+from hullform.ship_weights import ConditionInput, WeightsInput
 from hullvib.girder import Girder
 
 # Of everything on board about the neutral axis, over the depth: a hull full of weights spread evenly has 0.29 of its
@@ -29,7 +31,8 @@ class ConditionAfloat:
         condition: what ship.toml says of it.
         items: its weights.
         girder: m(x), EI(x), k G A(x) and rotary inertia.
-        floating: hydrostatics at the even-keel draught of its mass (at the depth, where she would sink).
+        floating: hydrostatics on even keel, at the mean of given draughts or else at the draught of its mass (at the
+            depth, where she would sink).
         at_rest: her waterline, shear force and bending moment.
         checks: of both.
     """
@@ -78,7 +81,7 @@ def load_ship(ship: Ship, hull: Hull) -> ShipAfloat:
     structure = structure_of(hull, given)
     displacement_t = at_draught.displacement_kg / KG_PER_T
     light = light_ship(weights, hull, structure, ship.particulars, at_draught.block_coefficient, displacement_t)
-    heaviest = max(conditions, key=lambda condition: condition.deadweight_t)
+    heaviest = max(conditions, key=lambda condition: condition.load_t)
     return ShipAfloat(
         hull=hull,
         at_draught=at_draught,
@@ -105,7 +108,7 @@ def _checks_of_the_ship(
     if given.midship_second_moment_m4 is not None:
         found.append(checks.check_thickness(structure.thickness_factor, given))
     if light.machinery_and_outfit_estimate is not None:
-        found.append(checks.check_light_ship(weights.semi_concentrated_weight_t, light.machinery_and_outfit_estimate))
+        found.append(checks.check_light_ship(weights.beyond_steel_t, light.machinery_and_outfit_estimate))
     numeral = None if light.steel_given else checks.check_steel_numeral(ship.particulars)
     hatches = checks.check_hatches(ship.particulars, given, midships_m)
     return (*found, *(check for check in (numeral, hatches) if check))
@@ -119,7 +122,7 @@ def _afloat(
     condition: ConditionInput,
     held_against: Hydrostatics | None,
 ) -> ConditionAfloat:
-    items = condition_items(condition, light, hull, ship.particulars.draught_m)
+    items = condition_items(condition, light, hull, structure, ship.particulars.draught_m)
     name = f"{ship.particulars.name}, {condition.title}"
     girder = girder_from(
         name,
@@ -131,11 +134,13 @@ def _afloat(
     )
     mass, density, depth = girder.total_mass, ship.water.density_kg_m3, hull.depth_amidships_m
     capacity = hull.hydrostatics(depth, density).displacement_kg
-    draught = depth if mass > capacity else hull.draught_for(mass, density)
-    floating = hull.hydrostatics(draught, density)
+    aft, fore = condition.draught_aft_m, condition.draught_fore_m
+    given = None if aft is None or fore is None else hull.waterline(aft, fore)
+    even_keel = depth if mass > capacity else hull.draught_for(mass, density)
+    floating = hull.hydrostatics(even_keel if given is None else given.draught_m, density)
     trim = checks.check_trim(girder.centre_of_gravity, floating)
     found = [checks.check_floating(mass, capacity, depth), trim]
     if held_against is not None:
         found.insert(0, checks.check_displacement(mass, held_against))
-    rest = at_rest(hull, items, density, draught, trim, None)
+    rest = at_rest(hull, items, density, even_keel, trim, given)
     return ConditionAfloat(condition, items, girder, floating, rest, (*found, *rest.checks))

@@ -170,16 +170,16 @@ def check_hatches(particulars: Particulars, given: StructureInput, midships_m: f
     )
 
 
-def check_light_ship(semi_concentrated_t: float, expected: watson.Estimate) -> Check:
+def check_light_ship(beyond_steel_t: float, expected: watson.Estimate) -> Check:
     """Light ship less steel against Watson's estimate of machinery and outfit: within a factor of two."""
     return _within(
         "light-ship",
         f"light ship less steel, expected near {significant(expected.weight_t)} t of machinery and outfit (Watson)",
-        semi_concentrated_t,
+        beyond_steel_t,
         (expected.lower_t, expected.upper_t),
         "t",
         "the given steel weight may hold the outfit, spread by girth instead of where it lies: "
-        "check steel_weight_t and semi_concentrated_weight_t",
+        "check steel_weight_t, semi_concentrated_weight_t and [[weights.items]]",
         usual=expected.weight_t,
     )
 

@@ -18,7 +18,8 @@ from hullform.hull.loft import Hull
 from hullform.loading.distributions import Distribution
 from hullform.loading.structure import Structure
 from hullform.loading.weights import LightShip
-from hullform.ship import ConditionInput, Ship
+from hullform.ship import Ship
+from hullform.ship_weights import ConditionInput
 from hullvib import distortion
 from hullvib.bounds import Bracket
 from hullvib.girder import Girder
@@ -60,7 +61,8 @@ class ConditionRun:
         condition: what ship.toml says of it.
         items: its weights along the ship.
         girder: m(x) and EI(x).
-        floating: hydrostatics at the even-keel draught of its mass (at the depth, where it would sink).
+        floating: hydrostatics on even keel, at the mean of given draughts or else at the draught of its mass (at the
+            depth, where it would sink).
         at_rest: her waterline, shear force and bending moment in still water.
         checks: what holds and what does not.
         solutions: dry modes, by name: of the Euler-Bernoulli girder 'stodola_ritz', 'ritz', 'ritz_elastic_only' (the

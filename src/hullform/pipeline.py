@@ -13,7 +13,7 @@ from hullform.afloat import ConditionAfloat, ShipAfloat, load_ship
 from hullform.body_plan import BodyPlan
 from hullform.empirical_figures import in_water_figures
 from hullform.hull.loft import Hull
-from hullform.loading.weights import KG_PER_T
+from hullform.loading.items import KG_PER_T
 from hullform.outcome import ConditionRun, Distortion, Run
 from hullform.ship import Ship
 from hullvib import distortion

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Self
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 # One alias for each kind of number: the one place where a number may later carry an uncertainty.
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
@@ -19,3 +19,27 @@ class Table(BaseModel):
     """A table of ship.toml: frozen, and no key of it is unknown."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class Span(Table):
+    """What reaches over a part of the length; the whole of it where nothing is said."""
+
+    from_m: Number | None = None
+    to_m: Number | None = None
+
+    @model_validator(mode="after")
+    def _from_aft_forward(self) -> Self:
+        if self.from_m is not None and self.to_m is not None and self.to_m <= self.from_m:
+            raise ValueError(
+                f"to_m = {self.to_m:g} is not forward of from_m = {self.from_m:g}; x runs from aft forward"
+            )
+        return self
+
+    def reaches(self, x_m: float) -> bool:
+        """Whether x lies in the span."""
+        return (self.from_m is None or x_m >= self.from_m) and (self.to_m is None or x_m <= self.to_m)
+
+    @property
+    def ends_m(self) -> tuple[float, ...]:
+        """Its given ends."""
+        return tuple(x for x in (self.from_m, self.to_m) if x is not None)

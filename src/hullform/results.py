@@ -16,12 +16,16 @@ from pathlib import Path
 
 from hullform.checks import Check
 from hullform.files import PROGRAM
+from hullform.hull.equilibrium import FloatingPosition
+from hullform.loading.still_water import Extremes, sampled
 from hullform.outcome import Array, ConditionRun, Run
 from hullform.records import (
     BracketRecord,
     CheckRecord,
     ConditionRecord,
     DistortionRecord,
+    ExtremesRecord,
+    FloatingRecord,
     Frequencies,
     Headline,
     HullRecord,
@@ -31,6 +35,7 @@ from hullform.records import (
     Results,
     Solution,
     StationRecord,
+    StillWaterRecord,
     StructureRecord,
     WeightRecord,
 )
@@ -171,12 +176,17 @@ def _bracket(bracket: Bracket | str) -> BracketRecord:
 
 def _condition(run: ConditionRun) -> ConditionRecord:
     floating, modes = run.floating, run.modes
+    waterline, equilibrium = run.at_rest.position.waterline, run.at_rest.equilibrium
     return ConditionRecord(
         label=run.condition.title,
         mass_kg=run.mass_kg,
         lcg_m=run.girder.centre_of_gravity,
         displacement_kg=floating.displacement_kg,
-        draughts={"aft_m": floating.draught_m, "fore_m": floating.draught_m},
+        draughts={"aft_m": waterline.draught_aft_m, "fore_m": waterline.draught_fore_m},
+        draughts_from=run.at_rest.adopted,
+        draughts_reason=run.at_rest.reason,
+        equilibrium=None if equilibrium is None else _floating(equilibrium, floating.water_density_kg_m3),
+        still_water=_still_water(run),
         weights=[
             WeightRecord(name=item.name, mass_kg=item.mass_kg, centre_m=item.centre_m if item.mass_kg else None)
             for item in run.items
@@ -195,6 +205,49 @@ def _condition(run: ConditionRun) -> ConditionRecord:
             "ritz_elastic_only": _by_functions(run.elastic_only_convergence_rad_s),
         },
         distortion=_distortion(run),
+    )
+
+
+def _floating(position: FloatingPosition, density_kg_m3: float) -> FloatingRecord:
+    waterline = position.waterline
+    return FloatingRecord(
+        draught_aft_m=waterline.draught_aft_m,
+        draught_fore_m=waterline.draught_fore_m,
+        draught_midships_m=waterline.draught_m,
+        trim_m=waterline.trim_m,
+        trim_percent_lpp=100 * waterline.trim_m / waterline.length_between_perpendiculars_m,
+        displacement_kg=density_kg_m3 * position.volume_m3,
+        lcb_m=position.lcb_x_m,
+        least_freeboard_m=position.least_freeboard_m,
+    )
+
+
+def _extremes(found: Extremes) -> ExtremesRecord:
+    return ExtremesRecord(
+        maximum=found.greatest, maximum_x_m=found.greatest_x_m, minimum=found.least, minimum_x_m=found.least_x_m
+    )
+
+
+def _still_water(run: ConditionRun) -> StillWaterRecord:
+    found = run.at_rest.still_water
+    curves = (found.weight, found.buoyancy, found.shear_force, found.bending_moment)
+    x = sampled(found.weight, points=2)[0]
+    weight, buoyancy, shear, moment = (sampled(curve, points=2)[1].tolist() for curve in curves)
+    return StillWaterRecord(
+        equilibrium=run.at_rest.equilibrium is not None,
+        draught_aft_m=found.waterline.draught_aft_m,
+        draught_fore_m=found.waterline.draught_fore_m,
+        shear_force_n=_extremes(found.shear_extremes),
+        bending_moment_n_m=_extremes(found.moment_extremes),
+        unclosed_shear_force_n=found.unclosed_shear_n,
+        unclosed_bending_moment_n_m=found.unclosed_moment_n_m,
+        closing_shear=found.shear_residual,
+        closing_moment=found.moment_residual,
+        x_m=x.tolist(),
+        weight_n_per_m=weight,
+        buoyancy_n_per_m=buoyancy,
+        shear_force_curve_n=shear,
+        bending_moment_curve_n_m=moment,
     )
 
 

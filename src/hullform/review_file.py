@@ -8,9 +8,9 @@ from __future__ import annotations
 import hashlib
 import json
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from hullform.corrections import Correction, Drawn, MarkedStation
 from hullform.errors import ReviewError
@@ -62,6 +62,14 @@ class Review(_Part):
     calibration: CalibrationGiven | None = None
     stations: ReviewedStations | None = None
     corrections: tuple[Correction, ...] = ()
+
+    @model_validator(mode="after")
+    def _each_correction_has_its_id(self) -> Self:
+        ids = [correction.id for correction in self.corrections]
+        for id in ids:
+            if ids.count(id) > 1:
+                raise ValueError(f"corrections: the id '{id}' stands twice; give each correction its own")
+        return self
 
     @property
     def account(self) -> str:

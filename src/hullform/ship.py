@@ -13,9 +13,10 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, PrivateAttr, ValidationError, field_validator, model_validator
 
 from hullform.errors import ShipFileError
-from hullform.quantities import NotNegative, Number, Positive, Share, Table
+from hullform.quantities import NotNegative, Number, Positive, Table
 from hullform.ship_faults import fault_line
 from hullform.ship_structure import StructureInput
+from hullform.ship_weights import ConditionInput, WeightsInput
 from hullform.station_names import StationNames, fault_of_names
 
 Half = Literal["aft", "fore"]
@@ -177,27 +178,6 @@ class HullOptions(Table):
     """[hull]: reserved for the choice of section models."""
 
 
-class WeightsInput(Table):
-    """[weights]: the light ship."""
-
-    steel_weight_t: Positive | None = None
-    semi_concentrated_weight_t: NotNegative = 0.0
-    machinery_share: Share = 0.7
-
-
-class ConditionInput(Table):
-    """[[conditions]]: one loading condition."""
-
-    name: Annotated[str, Field(pattern=r"^[a-z0-9-]+$")]
-    label: str = ""
-    deadweight_t: NotNegative
-
-    @property
-    def title(self) -> str:
-        """The label, or the name where there is none."""
-        return self.label or self.name
-
-
 class Water(Table):
     """[water]: what she floats in."""
 
@@ -246,6 +226,13 @@ class Ship(Table):
     def _structure_lies_in_the_ship(self) -> Self:
         if self.structure is not None:
             self.structure.require_within(self.particulars.length_overall_m, self.particulars.breadth_m)
+        return self
+
+    @model_validator(mode="after")
+    def _weights_lie_in_the_ship(self) -> Self:
+        light = () if self.weights is None else self.weights.items
+        for item in itertools.chain(light, *(condition.items for condition in self.conditions)):
+            item.require_within(self.particulars.length_overall_m)
         return self
 
     @property

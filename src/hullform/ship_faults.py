@@ -12,7 +12,6 @@ from pydantic import BaseModel
 RESERVED = {
     "body_plan": {"mesh", "offsets"},
     "hull": {"sections"},
-    "conditions": {"items", "draught_aft_m", "draught_fore_m"},
     "water": {"depth_m"},
     "": {"excitation", "operation"},
 }

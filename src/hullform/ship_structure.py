@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from hullform.quantities import NotNegative, Number, PlateThickness, Positive, Share, Table
+from hullform.quantities import NotNegative, Number, PlateThickness, Positive, Share, Span, Table
 
 Part = Literal["bottom", "side", "deck", "inner-bottom", "inner-side"]
 Scantlings = Literal["gross", "net"]
@@ -14,38 +14,14 @@ Scantlings = Literal["gross", "net"]
 StiffenerShare = Annotated[float, Field(strict=True, ge=0, le=2, allow_inf_nan=False)]
 
 
-class _Span(Table):
-    """What reaches over a part of the length; the whole of it where nothing is said."""
-
-    from_m: Number | None = None
-    to_m: Number | None = None
-
-    @model_validator(mode="after")
-    def _from_aft_forward(self) -> Self:
-        if self.from_m is not None and self.to_m is not None and self.to_m <= self.from_m:
-            raise ValueError(
-                f"to_m = {self.to_m:g} is not forward of from_m = {self.from_m:g}; x runs from aft forward"
-            )
-        return self
-
-    def reaches(self, x_m: float) -> bool:
-        """Whether x lies in the span."""
-        return (self.from_m is None or x_m >= self.from_m) and (self.to_m is None or x_m <= self.to_m)
-
-    @property
-    def ends_m(self) -> tuple[float, ...]:
-        """Its given ends."""
-        return tuple(x for x in (self.from_m, self.to_m) if x is not None)
-
-
-class _Plating(_Span):
+class _Plating(Span):
     """Plates over a part of the length."""
 
     thickness_m: PlateThickness | None = None
     stiffener_share: StiffenerShare | None = None
 
 
-class Zone(_Span):
+class Zone(Span):
     """[[structure.zones]]: another thickness for a part of the plating."""
 
     part: Part
@@ -62,7 +38,7 @@ class Zone(_Span):
         return self
 
 
-class Hatch(_Span):
+class Hatch(Span):
     """[[structure.hatches]]: openings of the upper deck."""
 
     breadth_m: Positive

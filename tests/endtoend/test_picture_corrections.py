@@ -230,7 +230,9 @@ def test_the_review_beside_a_ship_is_heeded(tmp_path: Path) -> None:
     points = tuple(on_station(whole, WIGLEY, "aft", X_M, share) for share in np.linspace(0, 1, 9))
     drawn = Drawn(id="a", station_m=X_M, half="aft", px=points)
     write_review(new_review(ship).model_copy(update={"corrections": (drawn,)}), ship)
-    assert [curve.stations_m for curve in read_picture(ship).curves if curve.by_hand] == [(X_M,)]
+    reading = read_picture(ship)
+    assert [curve.stations_m for curve in reading.curves if curve.by_hand] == [(X_M,)]
+    assert reading.body_plan.notes[0] == "ship.review.json goes before ship.toml; it gives 1 correction"
 
 
 def test_what_a_page_is_told_fits_the_body_plan() -> None:

@@ -7,11 +7,13 @@ import pytest
 from numpy.typing import NDArray
 
 from hullform.picture.bends import walking_order
-from hullform.picture.contours import NO_LOOP, pair_loops
+from hullform.picture.contours import NO_LOOP, marks_on_loops, pair_loops
 from hullform.picture.dome import find_dome, only_contours
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.joints import Tips, joints
+from hullform.picture.marks import PlacedMark, near_curves
 from hullform.picture.winding import closed, ends_at_centre
+from hullform.ship import Mark
 
 Array = NDArray[np.float64]
 SIZE = 400.0  # px per B/2
@@ -36,6 +38,19 @@ def test_loops_go_to_the_stations_next_to_those_of_one_curve() -> None:
 def test_a_mark_on_a_loop_goes_before_the_order() -> None:
     curves = [flare(300.0), flare(250.0), flare(200.0)]
     assert pair_loops([loop(80.0), loop(120.0)], curves, SIZE, [(0, 0)]) == [0, NO_LOOP, 1]
+
+
+@pytest.mark.parametrize(("place", "contour"), [((40.0, 60.0), 0), ((30.0, 325.0), None)])
+def test_a_mark_of_a_second_contour_means_a_loop_and_is_doubted_elsewhere(
+    place: tuple[float, float], contour: int | None
+) -> None:
+    mark = PlacedMark(Mark(station_m=97.0, half="fore", px=(0.0, 0.0), curve=1), 0, *place)
+    curve = np.column_stack([np.linspace(0.0, 60.0, 50), np.linspace(250.0, SIZE, 50)])
+    others, chosen = marks_on_loops([mark], [curve], [loop(120.0)], SIZE)
+    assert [number for _, number in chosen] == ([] if contour is None else [contour])
+    used, doubts = near_curves(others, [curve], SIZE)
+    assert len(used) == len(doubts) == (0 if contour is not None else 1)
+    assert all("second contour" in doubt for doubt in doubts)
 
 
 def test_a_loop_needs_a_flare_that_starts_above_it() -> None:

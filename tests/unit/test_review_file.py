@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from hullform.cli import main
 from hullform.corrections import Cut, MarkedStation
 from hullform.errors import ReviewError
 from hullform.review_file import Review, ReviewedStations, new_review, read_review, write_review
@@ -97,6 +98,31 @@ def test_a_correction_of_an_unknown_kind_is_named(ship: Ship) -> None:
     document["corrections"] = [{"kind": "melt", "id": "c1", "px": [1, 2]}]
     path.write_text(json.dumps(document), encoding="utf-8")
     with pytest.raises(ReviewError, match=r"corrections\.0.*melt"):
+        read_review(ship)
+
+
+def test_nothing_is_written_over_a_review(ship: Ship, capsys: pytest.CaptureFixture[str]) -> None:
+    path = write_review(new_review(ship), ship)
+    before = path.read_bytes()
+    assert main(["trace", str(ship.path), "-o", str(path)]) == 1
+    assert "is what this command reads" in capsys.readouterr().err
+    assert path.read_bytes() == before
+
+
+def test_a_review_says_what_it_gives(ship: Ship) -> None:
+    review = new_review(ship)
+    assert review.account == "nothing"
+    cut = Cut(id="c1", px=(1.0, 2.0))
+    review = review.model_copy(update={"calibration": CalibrationGiven(baseline_px=900.0), "corrections": (cut,)})
+    assert review.account == "the calibration, 1 correction"
+
+
+def test_an_id_that_stands_twice_is_named(ship: Ship) -> None:
+    path = write_review(new_review(ship), ship)
+    document = json.loads(path.read_text(encoding="utf-8"))
+    document["corrections"] = [{"kind": "cut", "id": "c1", "px": [1, 2]}, {"kind": "cut", "id": "c1", "px": [3, 4]}]
+    path.write_text(json.dumps(document), encoding="utf-8")
+    with pytest.raises(ReviewError, match="the id 'c1' stands twice"):
         read_review(ship)
 
 

@@ -50,6 +50,13 @@ def test_a_good_file_is_read_with_its_defaults(tmp_path: Path) -> None:
     assert ship.water.density_kg_m3 == 1025.0
 
 
+def test_items_stand_for_the_deadweight(tmp_path: Path) -> None:
+    items = 'items = [{ name = "ore", mass_t = 600.0, from_m = 20.0, to_m = 80.0 }, { name = "fuel", mass_t = 50.0 }]'
+    (condition,) = read_ship(written(tmp_path, GOOD.replace("deadweight_t = 1000.0", items))).conditions
+    assert (condition.deadweight_t, condition.load_t) == (0.0, 650.0)
+    assert condition.items[1].span_m(110.0) == (0.0, 110.0)
+
+
 def test_the_aft_perpendicular_is_at_the_aft_end_where_the_lengths_agree(tmp_path: Path) -> None:
     text = GOOD.replace("length_overall_m = 110.0", "length_overall_m = 100.0").replace(
         "aft_perpendicular_m = 4.0\n", ""
@@ -74,6 +81,54 @@ def test_the_aft_perpendicular_is_at_the_aft_end_where_the_lengths_agree(tmp_pat
         ("deadweight_t = 1000.0", "deadweight_t = -1.0", "conditions.0.deadweight_t = -1.0"),
         ('name = "loaded"', 'name = "Fully Loaded"', "conditions.0.name = 'Fully Loaded'"),
         ("[weights]", "[weights]\nsteel_weight_t = -5.0", "weights.steel_weight_t = -5.0"),
+        ("[weights]", "[weights]\nitems = [{name = 'house', mass_t = 9.0, form = 'uniform'}]", "unknown key; did you"),
+        ("[weights]", "[weights]\nitems = [{name = 'house', mass_t = 0.0}]", "weights.items.0.mass_t = 0.0"),
+        (
+            "[weights]",
+            "[weights]\nitems = [{name = 'house', mass_t = 9.0, from_m = 90.0, to_m = 111.0}]",
+            'item "house" reaches from 90 to 111 m, on a ship of 0 .. 110 m',
+        ),
+        (
+            "deadweight_t = 1000.0",
+            "items = [{name = 'fuel', mass_t = 9.0, from_m = 9.0, to_m = 21.0, shape = 'trapezoid', centre_m = 12.0}]",
+            'item "fuel" has centre_m = 12, outside the middle third of 9 .. 21 m',
+        ),
+        (
+            "deadweight_t = 1000.0",
+            "items = [{name = 'fuel', mass_t = 9.0, shape = 'trapezoid'}]",
+            '"fuel" of shape = "trapezoid" needs centre_m',
+        ),
+        (
+            "deadweight_t = 1000.0",
+            "items = [{name = 'fuel', mass_t = 9.0, centre_m = 12.0}]",
+            'centre_m goes with shape = "trapezoid" alone, not "uniform"',
+        ),
+        (
+            "deadweight_t = 1000.0",
+            "items = [{name = 'ore', mass_t = 9.0, shape = 'table', x_m = [1.0, 2.0], mass_per_m = [1.0]}]",
+            '"ore": 2 x_m and 1 mass_per_m',
+        ),
+        (
+            "deadweight_t = 1000.0",
+            "items = [{name = 'ore', mass_t = 9.0, shape = 'table', x_m = [3.0, 2.0], mass_per_m = [1.0, 1.0]}]",
+            "in x_m 2 follows 3",
+        ),
+        (
+            "deadweight_t = 1000.0",
+            "items = [{name = 'ore', mass_t = 9.0, shape = 'table', x_m = [1.0, 2.0], mass_per_m = [0.0, 0.0]}]",
+            "the table has no area",
+        ),
+        (
+            "deadweight_t = 1000.0",
+            "items = [{name = 'o', mass_t = 9.0, shape = 'table', x_m = [1, 2], mass_per_m = [1, 1], to_m = 5.0}]",
+            "remove from_m and to_m",
+        ),
+        ("deadweight_t = 1000.0", "", "conditions.0.deadweight_t: is missing"),
+        (
+            "deadweight_t = 1000.0",
+            "deadweight_t = 1000.0\ndraught_aft_m = 5.0",
+            "draught_aft_m and draught_fore_m go together",
+        ),
         ("[weights]", "[weights]\n[excitation]", "excitation: is reserved for a later version"),
         ("[body_plan]", "[body_plan]\nmesh = 'x.stl'", "body_plan.mesh: is reserved for a later version"),
         ("[structure]", "[hull]\nsections = 'auto'\n[structure]", "hull.sections: is reserved for a later version"),

@@ -19,6 +19,7 @@ EXAMPLE = re.compile(r"<!-- example: (\w+) -->\n```toml\n(.*?)```", re.DOTALL)
 BLOCKS = [(kind, tomllib.loads(text)) for kind, text in EXAMPLE.findall(PAGE)]
 WHOLE_FILES = [document for kind, document in BLOCKS if kind == "ship"]
 STRUCTURES = [document for kind, document in BLOCKS if kind == "structure"]
+LOADED = [document for kind, document in BLOCKS if kind == "condition"]
 CALIBRATIONS = [document for kind, document in BLOCKS if kind == "calibration"]
 
 
@@ -122,6 +123,13 @@ def test_the_structure_is_accepted_for_a_ship_of_its_size() -> None:
     structure = Ship.model_validate(document | given).structure
     assert structure is not None
     assert not structure.is_plain_shell
+
+
+def test_the_list_of_weights_is_accepted_with_the_whole_example() -> None:
+    document = tomllib.loads(EXAMPLE.findall(PAGE)[-1][1])
+    (given,) = LOADED
+    (condition,) = Ship.model_validate(document | given).conditions
+    assert {item.shape for item in condition.items} == {"sectional-area", "trapezoid", "table"}
 
 
 def test_both_ways_of_calibrating_are_shown() -> None:

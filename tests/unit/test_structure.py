@@ -13,8 +13,9 @@ from hullform.hull import Hull
 from hullform.loading.structure import FLOOR, Structure, structure_of
 from hullform.loading.thin_walled import section_properties
 from hullform.loading.weights import light_ship
-from hullform.ship import Particulars, WeightsInput
+from hullform.ship import Particulars
 from hullform.ship_structure import StructureInput
+from hullform.ship_weights import WeightsInput
 
 LENGTH, BREADTH, DEPTH = 100.0, 20.0, 12.0
 CURVES = ("area_m2", "second_moment_m4", "horizontal_second_moment_m4", "shear_area_m2", "torsion_constant_m4")

@@ -1,4 +1,4 @@
-"""The weights of a loading condition along the ship, in the paper's three classes.
+"""The weights of a loading condition along the ship: the paper's three classes, and the items of a weight list.
 
 Steel follows the section of the longitudinal steel, which is the girth of a shell of one thickness (end plates and
 transverse bulkheads at their place), machinery lies over 0 .. 0.2 LOA, deck machinery
@@ -15,12 +15,13 @@ from numpy.typing import NDArray
 from hullform.hull.loft import Hull
 from hullform.loading import watson
 from hullform.loading.distributions import Distribution, shaped, uniform
+from hullform.loading.items import KG_PER_T, item_along
 from hullform.loading.structure import Structure
-from hullform.ship import ConditionInput, Particulars, WeightsInput
+from hullform.ship import Particulars
+from hullform.ship_weights import ConditionInput, WeightsInput
 
 Array = NDArray[np.float64]
 
-KG_PER_T = 1000.0
 MACHINERY = (0.0, 0.2)  # fractions of LOA, the paper's section 2.2
 DECK_MACHINERY = (0.9, 1.0)
 DEADWEIGHT = (0.2, 0.9)
@@ -31,7 +32,7 @@ class LightShip:
     """Steel and semi-concentrated weights, the same in every condition.
 
     Attributes:
-        items: steel, machinery, deck machinery.
+        items: steel, machinery, deck machinery, and those of the light ship's list.
         steel_weight_t: as given, or estimated.
         steel_estimate: Watson & Gilfillan's figure and range for this ship.
         steel_given: whether ship.toml gave the steel weight.
@@ -80,7 +81,12 @@ def light_ship(
         DECK_MACHINERY[1] * length,
     )
     return LightShip(
-        items=(steel, machinery, deck_machinery),
+        items=(
+            steel,
+            machinery,
+            deck_machinery,
+            *(item_along(item, hull, structure, particulars.draught_m) for item in given.items),
+        ),
         steel_weight_t=steel_t,
         steel_estimate=estimate,
         steel_given=given.steel_weight_t is not None,
@@ -89,15 +95,16 @@ def light_ship(
 
 
 def condition_items(
-    condition: ConditionInput, light: LightShip, hull: Hull, draught_m: float
+    condition: ConditionInput, light: LightShip, hull: Hull, structure: Structure, draught_m: float
 ) -> tuple[Distribution, ...]:
-    """Every weight of a condition: the light ship's items and the deadweight.
+    """Every weight of a condition: the light ship's items, the deadweight and the condition's own items.
 
     Raises:
-        LoadingError: there is no sectional area to spread the deadweight over.
+        LoadingError: there is no sectional area to spread the deadweight over, or an item lies off the hull.
     """
+    listed = (item_along(item, hull, structure, draught_m) for item in condition.items)
     if condition.deadweight_t == 0:
-        return light.items
+        return (*light.items, *listed)
     length = hull.length_overall_m
     deadweight = shaped(
         "deadweight",
@@ -107,4 +114,4 @@ def condition_items(
         DEADWEIGHT[0] * length,
         DEADWEIGHT[1] * length,
     )
-    return (*light.items, deadweight)
+    return (*light.items, deadweight, *listed)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from hullform.body_plan import Calibration
 from hullform.errors import PictureError
-from hullform.picture.expected_lines import expected_lines, is_flat_of_bottom
+from hullform.picture.expected_lines import drawn_alike, expected_lines, is_flat_of_bottom
 from hullform.picture.homography import describe, fit_points, fit_without_outliers, similarity
 from hullform.picture.ink import Ink
 from hullform.picture.lines import StraightLine, crossing
@@ -333,18 +333,28 @@ def _frame(
         heights = np.append(heights, _teeth(grid.up) * grid.up_m)
         buttocks = np.append(buttocks, _teeth(grid.across) * grid.across_m)
     vertical = [*vertical, *expected_lines(ink, calibration, buttocks.tolist(), vertical, vertical=True)]
-    horizontal = [*horizontal, *expected_lines(ink, calibration, heights.tolist(), horizontal, vertical=False)]
-    own = np.append(heights, 0.0) / scale
-    frame = []
-    for line in horizontal:
-        across = min(u0 - line.start, line.end - u0) > 0.7 * half_breadth_px
-        on_level = bool((np.abs(v0 - float(line.at(u0)) - own) < ON_LEVEL_PX).any())
-        if across and (on_level or not is_flat_of_bottom(line, ink, u0, half_breadth_px)):
-            frame.append(line)
+    hull = [
+        line
+        for line in horizontal
+        if abs(v0 - float(line.at(u0))) > ON_LEVEL_PX and is_flat_of_bottom(line, ink, u0, half_breadth_px)
+    ]
+    expected = expected_lines(ink, calibration, heights.tolist(), horizontal, vertical=False)
+    horizontal = [*(line for line in horizontal if line not in hull), *expected]
+    if grid is not None:
+        on_grid = [line for line in horizontal if _on_tooth(v0 - float(line.at(u0)), grid)]
+        horizontal = [line for line in horizontal if line not in on_grid]
+        horizontal += drawn_alike(on_grid, ink, u0, half_breadth_px)
+    frame = [line for line in horizontal if min(u0 - line.start, line.end - u0) > 0.7 * half_breadth_px]
     frame += [
         line for line in vertical if line.end > v0 - 0.02 * half_breadth_px or _is_side(line, u0, v0, half_breadth_px)
     ]
     return tuple(frame)
+
+
+def _on_tooth(height_px: float, grid: Grid) -> bool:
+    """Whether a height is that of a waterline of the grid, the base line left aside."""
+    tooth = round(height_px / grid.up.spacing_px)
+    return tooth != 0 and abs(height_px - tooth * grid.up.spacing_px) < ON_LEVEL_PX
 
 
 def _teeth(comb: Comb) -> Array:

@@ -74,6 +74,11 @@ class Constraints:
     crossings: tuple[Straight, ...] = ()
     together: tuple[tuple[Place, Place], ...] = ()
 
+    @property
+    def made(self) -> frozenset[tuple[Place, Place]]:
+        """The links that a person made, each from the end of one tracklet to the start of the next."""
+        return frozenset((*self.joins, *(pair for crossing in self.crossings for pair in crossing.pairs)))
+
     def of_links(self, tracklets: Sequence[Tracklet], source: Indices, target: Indices, cost: Array) -> Links:
         """The links that are left, with those that were made."""
         ends, starts = [end_of(t) for t in tracklets], [start_of(t) for t in tracklets]

@@ -249,7 +249,10 @@ def _top_of_side(reading: HalfReading, ink: Ink) -> float | None:
 def _runs_on(curve: Array, reading: HalfReading, near: Ink) -> bool:
     """Whether ink, widened by some pixels, goes on in the direction in which a curve ends."""
     size = reading.frame.half_breadth_px
-    behind = curve[-1] - curve[np.hypot(*(curve - curve[-1]).T) > 0.03 * size][-1]
+    farther = curve[np.hypot(*(curve - curve[-1]).T) > 0.03 * size]
+    if not farther.size:
+        return False
+    behind = curve[-1] - farther[-1]
     ahead = np.linspace(*RUNS_ON, 40)[:, None] * size * behind / np.hypot(*behind) + curve[-1]
     u, v = reading.frame.to_picture(ahead[:, 0], ahead[:, 1])
     seen = cv2.remap(near, u.astype(np.float32)[None], v.astype(np.float32)[None], cv2.INTER_NEAREST)

@@ -24,6 +24,8 @@ COST_OF_END_ON_INK = 1200.0  # more, for ink ahead
 COST_AT_SIDE = 12.0  # ends in the line of B/2, which goes on to the deck
 GAIN_OF_SIDE = 25.0  # ends where it joins the line of B/2, of which it is a part from there on
 STEEPEST = 2.2  # db/da of a curve: tumblehome of 20 degrees
+CLOSE_TO_SIDE = 0.975  # of B/2: the mask of the line of B/2 hides the rest of a bilge of small radius
+BENDING_UP = 0.5  # db/da of a curve that has begun to rise, by 18 degrees
 RISING = -0.15  # db/da of a curve that rises more than it widens: it may join the line of B/2
 
 
@@ -91,6 +93,8 @@ def exit_cost(
     on_ink = COST_OF_END_ON_PAPER + COST_OF_END_ON_INK * np.clip(going_on - 0.2, 0.0, 1.0)
     cost = np.minimum(cost, on_ink * scale)
     at_side = (y > 0.965 * size) & (last.slope < RISING)
+    if side_top_px is not None:  # nothing is outboard of a drawn side, so what nears it turns into it
+        at_side |= (y > CLOSE_TO_SIDE * size) & (last.slope < BENDING_UP) & (z < side_top_px)
     cost = np.where(at_side, np.minimum(cost, COST_AT_SIDE * scale), cost)
     joins = at_side & (z < (side_top_px or 0.0) - 0.05 * size)
     return np.asarray(np.where(joins, -GAIN_OF_SIDE * scale, cost), dtype=np.float64)

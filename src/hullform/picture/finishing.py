@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from hullform.picture.ends import CLOSE_TO_SIDE
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import Ink
 from hullform.picture.lines import VERTICAL, Mask
@@ -32,6 +33,8 @@ LEVEL = 0.35  # dz/ds below which a curve runs along a deck rather than up to it
 STEEP_BEFORE = 0.6  # dz/ds of a curve that has met a deck edge
 LONGEST_TAIL = 0.12  # of B/2: of a deck edge that a curve was led along
 AT_LINE = 0.012  # of B/2: a curve that ends so near the line of B/2 has met it, at whatever angle
+TAIL = 0.012  # of B/2: the stretch that shows whether a curve close to the side has begun to turn up
+BEGUN = 0.33  # dz/dy there
 STEEP_ENOUGH = 0.7  # dz/dy of a curve that is about to join the line of B/2
 OFF_SHEER_PX = 2.0  # where the sheer line is known no better, the end of a curve's own ink says where it is
 LONGEST_STROKE = 0.06  # of B/2: how far ahead of a trace its ink is followed
@@ -296,7 +299,9 @@ def _up_the_side(y: Array, z: Array, size: float, top: float) -> tuple[Array, Ar
     arc = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
     part = arc >= arc[-1] - STRETCH * size
     rise, lean = z[-1] - z[part][0], y[-1] - y[part][0]
-    if rise <= STEEP_ENOUGH * abs(lean) and y[-1] < (1 - AT_LINE) * size:
+    tail = arc >= arc[-1] - TAIL * size
+    turning = y[-1] > CLOSE_TO_SIDE * size and z[-1] - z[tail][0] > BEGUN * (y[-1] - y[tail][0])
+    if rise <= STEEP_ENOUGH * abs(lean) and y[-1] < (1 - AT_LINE) * size and not turning:
         return y, z
     if y[-1] < size:  # it turns into the line: an arc needs twice the height of the straight way
         join = min(z[-1] + 2 * (size - y[-1]) * max(rise, 0.0) / max(lean, 1e-6), z[-1] + FARTHEST * size, top)

@@ -43,6 +43,7 @@ REFERENCE_PX = 800.0  # per B/2: the costs below are for a drawing of this size 
 COST_OF_CURVE = 45.0  # what a curve must gather: half of the shortest station that is drawn, twice a label's stroke
 MARGIN_OF_ORDER = 0.02  # of B/2: starts nearer than this to an axis lie on it
 BESIDE_CENTRE = 2.0  # of a line's thickness: pieces nearer to the centre line run along it
+LARGEST_BEND_AT_CENTRE = 0.3  # of slope, where a curve leaves it
 REWARD_OF_MARK = 1500.0  # for each curve that runs along the tracklet under a user's mark, one a marked station
 FARTHEST_MARK_PX = 9.0  # from a tracklet that it means
 MOST_UNLISTED = 8  # curves beyond the listed stations that are looked for
@@ -102,12 +103,12 @@ def find_paths(
     leave = constraints.at_ends(leave, [end_of(t) for t in tracklets], scale)
     reward, share = _worth(tracklets, width_px)
     share[constraints.shared(tracklets, links)] = 0.0
-    marked, called = _marked(tracklets, marks)
+    marked, called = _marked(tracklets, marks, width_px)
     if turning.pieces:
         bends = find_bends(tracklets, first, last, turning, mask, frame, scale)
         gain, again = _worth(turning.pieces, width_px)
         across = [MarkInFrame(mark.station, mark.row, turning.rows - 1.0 - mark.column) for mark in marks]
-        there, called_there = _marked(turning.pieces, across)
+        there, called_there = _marked(turning.pieces, across, width_px)
         once, called = np.minimum(there, 1), called | called_there
         reward, share = np.concatenate([reward, gain, gain]), np.concatenate([share, again, again])
         marked = np.concatenate([marked, once, once])
@@ -204,14 +205,17 @@ class Network:
     least: int
 
 
-def _marked(tracklets: list[Tracklet], marks: Sequence[MarkInFrame]) -> tuple[Indices, set[int]]:
+def _marked(tracklets: list[Tracklet], marks: Sequence[MarkInFrame], width_px: float) -> tuple[Indices, set[int]]:
     """Number of stations that are marked on each tracklet, and all stations that are marked on any."""
     stations: list[set[int]] = [set() for _ in tracklets]
     for mark in marks:
         misses = [_miss(mark, tracklet) for tracklet in tracklets]
         if misses and min(misses)[0] < FARTHEST_MARK_PX:
             stations[misses.index(min(misses))].add(mark.station)
-    return np.array([len(there) for there in stations], dtype=np.int64), set().union(*stations)
+    # two marks on the ink of one line mean neighbours that nearly touch: it has room for one
+    room = np.array([max(1, round(float(np.median(t.width)) / width_px)) for t in tracklets])
+    counts = np.minimum([len(there) for there in stations], room)
+    return counts.astype(np.int64), set().union(*stations)
 
 
 def _miss(mark: MarkInFrame, tracklet: Tracklet) -> tuple[float, float]:
@@ -263,10 +267,11 @@ def _links(
         meet = (to_row - to_slope * distance - from_row) / -turn
     knuckle = (np.abs(turn) > 0.35) & (span <= 0.03 * size) & (meet >= -4) & (meet <= span + 4)
     # a curve that meets the centre line at an angle meets its mirror image there
-    knuckle &= frame.to_drawing(last.column, last.row)[0][source] > BESIDE_CENTRE * width_px
+    in_centre = frame.to_drawing(last.column, last.row)[0][source] < BESIDE_CENTRE * width_px
+    knuckle &= ~in_centre
     cost = np.where(knuckle, np.minimum(cost, COST_OF_KNUCKLE * scale + span), cost)
     steep = np.abs(to_row - from_row) > (STEEPEST + 0.1) * span + 4
-    broken = (certain >= 1.0) & (bend > 0.9) & ~knuckle
+    broken = (certain >= 1.0) & (bend > 0.9) & ~knuckle | in_centre & (turn > LARGEST_BEND_AT_CENTRE)
     good = (cost < DEAREST_LINK) & ~steep & ~broken
     return source[good].astype(np.int64), target[good].astype(np.int64), cost[good]
 

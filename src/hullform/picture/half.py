@@ -177,7 +177,7 @@ def _passed(prepared: HalfInk) -> bool:
     """Whether stations go on above the level line at the depth, which is then a waterline."""
     size, passing = prepared.frame.half_breadth_px, 0
     for piece in pieces_of_curve(replace(prepared, deck_level_px=None)):
-        _, z = prepared.frame.to_drawing(piece.column, piece.row)
+        _, z = prepared.frame.to_drawing(piece.column.astype(np.float64), piece.row)
         passing += bool(z[-1] > prepared.depth_px + CLEAR_OF_DECK * size and np.ptp(z) > TALLER_THAN_FIGURES * size)
     return passing >= FEWEST_PASSING
 
@@ -258,7 +258,7 @@ def trace_half(
         constraints,
         turning,
     )
-    paths = uncrossed(paths, tracklets, prepared.single_px)
+    paths = uncrossed(paths, tracklets, prepared.single_px, constraints.made)
     knuckles = [item for item in placed if isinstance(item.correction, Knuckle)]
     pieces = Pieces(tracklets, turning)
     every = smooth_traces(paths, pieces, prepared.single_px, frame, [tuple(item.at[0]) for item in knuckles])

@@ -59,8 +59,6 @@ def place_marks(
                 f"{_named(mark)} lies in the other half; check its half, its px and aft_side; it was not used"
             )
             continue
-        if mark.curve != 0:
-            doubts.append(f"{_named(mark)} names the second contour of its station; only one is read")
         placed.append(PlacedMark(mark, int(np.argmin([abs(x - mark.station_m) for x in inner_first])), y, z))
     return placed, doubts
 
@@ -74,7 +72,13 @@ def distances_to_curves(marks: Sequence[PlacedMark], curves: Sequence[Array]) ->
 def near_curves(
     marks: Sequence[PlacedMark], curves: Sequence[Array], half_breadth_px: float
 ) -> tuple[list[PlacedMark], list[str]]:
-    """The marks that lie on a traced curve, and doubts about the others."""
+    """The marks that lie on a traced curve, and doubts about the others.
+
+    Args:
+        marks: of a half, without those that lie on contours which close on the centre line.
+        curves: (n, 2) [y, z] of each, px of the drawing.
+        half_breadth_px: B/2.
+    """
     nearest = distances_to_curves(marks, curves).min(axis=1, initial=np.inf)
     good = nearest <= FARTHEST * half_breadth_px
     doubts = [
@@ -82,6 +86,12 @@ def near_curves(
         "it was not used; check its px"
         for mark, distance, fits in zip(marks, nearest, good, strict=True)
         if not fits
+    ]
+    doubts += [
+        f"{_named(mark.mark)} is for the second contour of its station, but none that closes on the centre line was "
+        "found there, and it was taken for the station's curve; check it, or draw the contour on the review page"
+        for mark, fits in zip(marks, good, strict=True)
+        if fits and mark.mark.curve != 0
     ]
     return [mark for mark, fits in zip(marks, good, strict=True) if fits], doubts
 

@@ -29,6 +29,7 @@ COST_OF_ANOTHER = 1e5  # curve than the one drawn for a station
 LEVEL = 0.06  # rise over run: a deck with camber or sheer rises less, a section more
 HIGH = 0.5  # of the highest curve: no section lies wholly above it that is level
 CERTAINTY_OF_LEVEL = 0.1
+END = 0.03  # of the breadth of a curve, its outermost part
 NO_CURVE = -1
 
 
@@ -132,7 +133,9 @@ def certainties(curves: Sequence[Array], confidences: Sequence[float]) -> list[f
     certain = []
     for curve, confidence in zip(curves, confidences, strict=True):
         across, up = np.ptp(curve, axis=0)
-        level = up < LEVEL * across and curve[:, 1].min() > HIGH * top
+        # a flat of bottom high up, at a raked end, turns up into its bilge
+        rise, run = np.ptp(curve[curve[:, 0] > curve[-1, 0] - END * across], axis=0)[::-1]
+        level = up < LEVEL * across and curve[:, 1].min() > HIGH * top and rise < run
         certain.append(confidence * (CERTAINTY_OF_LEVEL if level else 1.0))
     return certain
 

@@ -108,7 +108,8 @@ def find_turning(
     level = (peaks.slope < LEVEL) & (z > LOWEST_LEVEL * frame.half_breadth_px)
     good = leaning & inside & ~on_vertical & ~on_horizontal & (level | (covered[row, column] == 0))
     candidates = np.flatnonzero(good)
-    good[candidates] = ~on_diagonals(
+    good &= z < ceiling(y)
+    good[candidates] &= ~on_diagonals(
         peaks.column[candidates].astype(np.float64),
         peaks.row[candidates],
         peaks.slope[candidates],

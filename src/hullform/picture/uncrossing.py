@@ -6,14 +6,15 @@ angle do cross, as the sections of a transom stern or of a tunnel may.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hullform.picture.flow import Path
+from hullform.picture.line_edits import Place, end_of, start_of
 from hullform.picture.ridges import Tracklet
 
 Array = NDArray[np.float64]
@@ -22,24 +23,32 @@ TOUCHING = 1.5  # of a line's thickness between the axes: ink without paper betw
 LONGEST_CROSSING = 10.0  # of a line's thickness: lines that cross at 15 degrees touch for so long
 
 
-def uncrossed(paths: Sequence[Path], tracklets: Sequence[Tracklet], width_px: float) -> list[Path]:
+def uncrossed(
+    paths: Sequence[Path],
+    tracklets: Sequence[Tracklet],
+    width_px: float,
+    made: Collection[tuple[Place, Place]] = (),
+) -> list[Path]:
     """The paths, their outer parts exchanged where two of them change sides along a shallow touch.
 
     Args:
         paths: of one half.
         tracklets: that they consist of; a path that takes other pieces too, which lean back, is left as it is.
         width_px: thickness of one line.
+        made: links between tracklets that a person made; over these, paths stay as they are.
     """
     out = list(paths)
     ordinary = [number for number, path in enumerate(out) if max(path.tracklets) < len(tracklets)]
     for first, second in combinations(ordinary, 2):
-        for column in _shallow_crossings(out[first], out[second], tracklets, width_px):
-            out[first], out[second] = _exchanged(out[first], out[second], tracklets, column)
+        links = [link for path in (out[first], out[second]) for link in _links(path, tracklets) if link in made]
+        for start, stop in _shallow_crossings(out[first], out[second], tracklets, width_px):
+            if not any(before[0] <= stop and after[0] >= start for before, after in links):
+                out[first], out[second] = _exchanged(out[first], out[second], tracklets, (start + stop) / 2)
     return out
 
 
-def _shallow_crossings(a: Path, b: Path, tracklets: Sequence[Tracklet], width_px: float) -> list[float]:
-    """Columns in the middle of touches along which two paths change sides."""
+def _shallow_crossings(a: Path, b: Path, tracklets: Sequence[Tracklet], width_px: float) -> list[tuple[float, float]]:
+    """First and last column of the touches along which two paths change sides."""
     (column_a, row_a), (column_b, row_b) = _points(a, tracklets), _points(b, tracklets)
     start, stop = max(column_a[0], column_b[0]), min(column_a[-1], column_b[-1])
     if stop - start < LONGEST_CROSSING * width_px:
@@ -49,7 +58,11 @@ def _shallow_crossings(a: Path, b: Path, tracklets: Sequence[Tracklet], width_px
     clear = np.flatnonzero(np.abs(apart) > TOUCHING * width_px)
     sides = np.sign(apart[clear])
     turns = np.flatnonzero((sides[1:] != sides[:-1]) & (np.diff(clear) > LONGEST_CROSSING * width_px))
-    return [float(column[(clear[turn] + clear[turn + 1]) // 2]) for turn in turns]
+    return [(float(column[clear[turn]]), float(column[clear[turn + 1]])) for turn in turns]
+
+
+def _links(path: Path, tracklets: Sequence[Tracklet]) -> list[tuple[Place, Place]]:
+    return [(end_of(tracklets[a]), start_of(tracklets[b])) for a, b in pairwise(path.tracklets)]
 
 
 def _points(path: Path, tracklets: Sequence[Tracklet]) -> tuple[Array, Array]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -11,6 +13,7 @@ from hullform.outcome import ConditionRun, Run
 from hullform.report.drawing import (
     ACCENT,
     INK,
+    ITEM_COLOURS,
     PAGE_WIDTH,
     QUIET,
     SERIES,
@@ -40,11 +43,12 @@ def mass_figure(run: Run) -> Picture:
         breaks = condition.girder.breaks
         x = np.repeat(breaks, 2)[1:-1]
         below = np.zeros(x.size)
+        others = itertools.cycle(ITEM_COLOURS)
         for item in condition.items:
             left, right = item.at_piece_ends(breaks)
             above = below + np.column_stack([left, right]).ravel() / 1e3
             label = f"{item.name}, {significant(item.mass_kg / 1e3)} t"
-            colour = WEIGHT_COLOURS.get(item.name, QUIET)
+            colour = WEIGHT_COLOURS.get(item.name) or next(others)
             axes.fill_between(x, below, above, color=colour, linewidth=0, label=label)
             below = above
         axes.plot(x, below, color=INK, linewidth=1.1, label="m(x)")

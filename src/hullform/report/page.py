@@ -16,11 +16,13 @@ import numpy as np
 from hullform.afloat import RADIUS_OF_GYRATION
 from hullform.checks import Check
 from hullform.files import whole_file
+from hullform.loading.gravity import GRAVITY_M_S2
 from hullform.outcome import Run
 from hullform.report import girder_figures, hull_figures, hull_view, midship_figure
 from hullform.report.appendix import table_2_blocks
 from hullform.report.drawing import JPEG_QUALITY, Picture, house_style
 from hullform.report.published import FUNCTIONS
+from hullform.report.still_water_figure import still_water_figure
 from hullform.report.wording import ceiling, proven_error, reading_of_mode
 from hullform.rounding import as_given, per_cent, short, signed, significant
 
@@ -80,6 +82,7 @@ def draw_pictures(run: Run) -> dict[str, Picture]:
             hull_figures.area_figure(run),
             hull_view.still_picture(run.hull, run.at_draught.draught_m),
             girder_figures.mass_figure(run),
+            *(still_water_figure(condition) for condition in run.conditions.values()),
             girder_figures.structure_figure(run),
             midship_figure.midship_figure(run),
             *(girder_figures.modes_figure(condition) for condition in run.conditions.values()),
@@ -126,6 +129,7 @@ def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
         "errors": {name: proven_error(condition, HEADLINE_MODES) for name, condition in run.conditions.items()},
         "radius_of_gyration_m": RADIUS_OF_GYRATION * run.ship.particulars.depth_m,
         "gyration_over_depth": RADIUS_OF_GYRATION,
+        "gravity": GRAVITY_M_S2,
         "at_midships": lambda values: float(np.interp(run.hull.midships_m, run.structure.x_m, values)),
         "versions": {"hullform": version("hullform"), "Python": platform.python_version()}
         | {library: version(library) for library in LIBRARIES},

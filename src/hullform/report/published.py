@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from hullform.ship import ConditionInput, Ship
+from hullform.ship import Ship
+from hullform.ship_weights import ConditionInput
 
 FUNCTIONS = tuple(range(4, 13))
 
@@ -73,7 +74,7 @@ def published_ship(ship: Ship) -> PublishedShip | None:
 def published_condition(known: PublishedShip, condition: ConditionInput) -> PublishedCondition | None:
     """The block of Table 2 of a loading condition, if it has one."""
     for block in known.conditions:
-        if block.condition == condition.name and block.deadweight_t == condition.deadweight_t:
+        if block.condition == condition.name and block.deadweight_t == condition.load_t:
             return block
     return None
 

@@ -1,6 +1,6 @@
 // Pure functions of the review document: each returns a new one.
 
-export const KINDS = {
+const KINDS = {
   mark: "mark",
   delete: "delete",
   cut: "cut",
@@ -17,7 +17,7 @@ export const corrections = (document) => document.corrections ?? [];
 
 export const correctionById = (document, id) => corrections(document).find((one) => one.id === id);
 
-export function nextId(document) {
+function nextId(document) {
   const numbers = corrections(document).map((one) => Number(/^c(\d+)$/.exec(one.id)?.[1] ?? 0));
   return `c${Math.max(0, ...numbers) + 1}`;
 }
