@@ -15,6 +15,7 @@ FEWEST = 8  # stations of a half, before those are left out that would not show
 _WANTED = (0, 1, 2, 3, 4, 5, 6, 8, 10, 7, 9, 0.5, 1.5, 2.5, 0.25, 0.75, 3.5, 1.25, 4.5, 1.75, 5.5)
 _FORE_END_SHARE = 0.975  # of the length: the forward perpendicular
 _AFT_END_SHARE = 0.025
+_FULLER = 1.001  # by area, of a section that is fuller than another
 _SHOWS = 0.02  # of B/2: a half or quarter station that lies nowhere so far from its neighbours is left out
 _LEAST_REACH = 0.03  # of B/2: a section that reaches no further is not drawn
 _LEAST_HEIGHT = 0.05  # of the depth
@@ -56,21 +57,23 @@ def plan_of(hull: Hull, random: np.random.Generator, most: int, apart_m: float) 
     main = hull.dimensions
     stations: list[PlanStation] = []
     both = random.random() < 0.4
+    home = _half_of_midships(hull)
     for half in ("aft", "fore"):
         count = int(random.integers(FEWEST, most + 1))
         numbers = sorted(float(n) for n in _WANTED[:count])
         if half == "fore":
             numbers = [20.0 - n for n in reversed(numbers)]
-            if not both:
+            if home == "aft" or (home == "" and not both):
                 numbers = [n for n in numbers if n != 10.0]
             if random.random() < 0.4:
                 numbers.append(20.25)
         elif random.random() < 0.4:
             numbers.insert(0, -0.25)
+        if half == "aft" and home == "fore":
+            numbers = [n for n in numbers if n != 10.0]
         drawn: list[PlanStation] = []
         for number in sorted(numbers, key=lambda n: (n % 1.0 != 0.0, n)):
-            share = _AFT_END_SHARE + (_FORE_END_SHARE - _AFT_END_SHARE) * number / 20.0
-            x = round(share * main.length_m, 2)
+            x = round(_place_of(number) * main.length_m, 2)
             curves = hull.section(x)
             if not _worth_drawing(curves, main):
                 continue
@@ -82,6 +85,20 @@ def plan_of(hull: Hull, random: np.random.Generator, most: int, apart_m: float) 
         stations += sorted(drawn, key=lambda s: s.x_m)
     sheer = {half: _sheer(hull, half) for half in ("aft", "fore")}
     return Plan(main, tuple(stations), sheer)
+
+
+def _place_of(number: float) -> float:
+    """Where a station lies, as a share of the length."""
+    return _AFT_END_SHARE + (_FORE_END_SHARE - _AFT_END_SHARE) * number / 20.0
+
+
+def _half_of_midships(hull: Hull) -> Half:
+    """The half that shows midships: that on its side of the fullest section, or either one ('')."""
+    sections = [hull.section(_place_of(number) * hull.dimensions.length_m) for number in (9.0, 10.0, 11.0)]
+    abaft, here, ahead = (sum(np.trapezoid(c[:, 0], c[:, 1]) for c in curves) for curves in sections)
+    if max(abaft, ahead) < _FULLER * here:
+        return ""
+    return "fore" if abaft > ahead else "aft"
 
 
 def same(left: tuple[Array, ...], right: list[Array], apart_m: float) -> bool:

@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 _HEIGHTS = 4000  # at which a section is computed
 _POINTS = 500  # of a curve, at even steps of arc length
 _CROWDING = 4.0  # heights near the keel lie as t^4: a section may leave the centre line almost level
-_SMALL = 1e-9  # of the breadth: less is no half-breadth
+_SMALL = 0.00125  # of the breadth: no deadwood is thinner, and a stroke so near the centre line lies inside its line
 
 
 @dataclass(frozen=True)

@@ -328,11 +328,11 @@ def _frame(
     """Lines that are no part of a station: horizontals across both halves, verticals that reach the base line."""
     scale, u0, v0 = calibration.metres_per_px, calibration.centreline_px, calibration.baseline_px
     half_breadth_px = breadth_m / 2 / scale
-    heights = np.array(levels_m)
+    heights, buttocks = np.array(levels_m), np.array([-breadth_m / 2, breadth_m / 2])
     if grid is not None:
         heights = np.append(heights, _teeth(grid.up) * grid.up_m)
-        buttocks = _teeth(grid.across) * grid.across_m
-        vertical = [*vertical, *expected_lines(ink, calibration, buttocks.tolist(), vertical, vertical=True)]
+        buttocks = np.append(buttocks, _teeth(grid.across) * grid.across_m)
+    vertical = [*vertical, *expected_lines(ink, calibration, buttocks.tolist(), vertical, vertical=True)]
     hull = [
         line
         for line in horizontal

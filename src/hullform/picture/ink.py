@@ -16,11 +16,15 @@ FAINTEST_INK = 0.2  # share of the paper's brightness that a pixel must lack to 
 FEWEST_GREYS = 0.002  # of the pixels: a smaller share between black and white makes a picture of hard edges
 BLUR_OF_HARD_EDGES_PX = 0.7
 LEAST_INK_SHARE = 1e-4  # of the pixels: a body plan has 1 % and more
+LEAST_DRAWING = 0.4  # of the picture's width
+BOX_OF_PIECE = (cv2.CC_STAT_LEFT, cv2.CC_STAT_TOP, cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT)
 MOST_INK_SHARE = 0.4  # of the pixels: beyond it the picture is a photograph or a negative
 
 
 def ink_of(grey: Picture, name: str = "the picture") -> Ink:
-    """Ink of each pixel, (paper - grey) / paper, scaled so that a full line is 1; single specks are dropped.
+    """Ink of each pixel, (paper - grey) / paper, scaled so that a full line is 1.
+
+    Single specks are dropped, and a border round the sheet.
 
     Args:
         grey: (rows, columns) 8-bit picture.
@@ -61,6 +65,20 @@ def ink_of(grey: Picture, name: str = "the picture") -> Ink:
     ink = np.clip(ink / np.percentile(dark, 90), 0.0, 1.0).astype(np.float32)
     _, labels, statistics, _ = cv2.connectedComponentsWithStats((ink > 0.25).astype(np.uint8), connectivity=8)
     speck = statistics[:, cv2.CC_STAT_AREA] < max(6.0, 7.0 * (width / 1000.0) ** 2)
-    speck[0] = False
-    ink[speck[labels]] = 0.0
+    dropped = speck | _borders(statistics, width)
+    dropped[0] = False
+    ink[dropped[labels]] = 0.0
     return np.asarray(ink, dtype=np.float32)
+
+
+def _borders(statistics: NDArray[np.int32], width: int) -> NDArray[np.bool_]:
+    """Which connected pieces (one a row) go round a drawing without touching it: the border of the sheet."""
+    left, top, wide, high = (statistics[:, k] for k in BOX_OF_PIECE)
+    right, bottom = left + wide, top + high
+    border = np.zeros(len(statistics), dtype=np.bool_)
+    large = np.flatnonzero(wide > LEAST_DRAWING * width)
+    large = large[large > 0]
+    for n in large:
+        inside = (left[large] > left[n]) & (right[large] < right[n]) & (top[large] > top[n])
+        border[n] = bool((inside & (bottom[large] < bottom[n])).any())
+    return border

@@ -107,7 +107,8 @@ def find_lines_and_border(ink: Ink) -> tuple[list[StraightLine], list[StraightLi
         convergent = _convergent(_refined(ink, fan, vertical, shrink), mean, width if vertical else height)
         parallel = _one_each(_levelled(ink, parallel, mean), 4 * shrink)
         convergent = _one_each(convergent, 4 * shrink)
-        drawn = [sum(line.length for line in family) for family in (parallel, convergent)]
+        # pieces of curves and letters speak for neither
+        drawn = [sum(line.length for line in _family(family, 4 * shrink)) for family in (parallel, convergent)]
         typical = float(np.median([line.length for line in convergent])) if convergent else 0.0
         families.append(convergent if drawn[1] > drawn[0] + CONVERGENCE_GAIN * typical else parallel)
     horizontal, vertical_ = _without_border(families[0], families[1], width)
@@ -179,7 +180,8 @@ def _without_border(
 ) -> tuple[list[StraightLine], list[StraightLine]]:
     """The lines without the border round the sheet, which may be double.
 
-    Its upright lines are the outermost and longer than all others, the centre line included; its level lines end there.
+    Its upright lines are the outermost and longer than all others, the centre line included; its level lines join
+    their ends. A base line goes on beyond the sides, which figures above them may seem to make longer.
     """
     tolerance = BORDER_TOLERANCE * width
     while len(vertical) > FEWEST_INSIDE:
@@ -187,18 +189,30 @@ def _without_border(
         inner = [line for line in vertical if line is not left and line is not right]
         if min(left.length, right.length) <= BORDER_LONGER * max(line.length for line in inner):
             break
+        tops, feet = (_joining(horizontal, left, right, lower, tolerance) for lower in (False, True))
+        if not (tops and feet):
+            break
         vertical = inner
-        horizontal = [line for line in horizontal if not _joins(line, left, right, tolerance)]
+        horizontal = [line for line in horizontal if line not in tops and line not in feet]
     return horizontal, vertical
 
 
-def _joins(level: StraightLine, left: StraightLine, right: StraightLine, tolerance: float) -> bool:
-    """Whether a level line lies where two upright ones end."""
-    return any(
-        abs(end - float(level.at(upright.at(end)))) < tolerance
-        for upright in (left, right)
-        for end in (upright.start, upright.end)
-    )
+def _joining(
+    levels: list[StraightLine], left: StraightLine, right: StraightLine, lower: bool, tolerance: float
+) -> list[StraightLine]:
+    """Level lines from the end of one upright line to that of another, their lower or their upper ends."""
+    corners = []
+    for upright in (left, right):
+        v = upright.end if lower else upright.start
+        corners.append((float(upright.at(v)), v))
+    return [
+        level
+        for level in levels
+        if all(
+            abs(end - u) < tolerance and abs(float(level.at(u)) - v) < tolerance
+            for end, (u, v) in zip((level.start, level.end), corners, strict=True)
+        )
+    ]
 
 
 def _outermost(lines: list[StraightLine]) -> tuple[StraightLine, StraightLine]:
