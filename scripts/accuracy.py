@@ -190,7 +190,8 @@ tuning uses others (`--dev`), of the same families and levels. `scripts/generato
   with any name. A picture that is refused counts all its stations as wrong. Stations that share one drawn curve
   (parallel body) count each; a station of two curves (bulb and flare) needs both.
 - RMS and area errors are those of the right stations, so they say nothing of the others. Areas go up to the draught.
-- Truth is what the pen drew: under `wobble` that is the unsteady curve.
+- Truth is what the pen drew: under `wobble` that is the unsteady curve. What of it lies within the centre line's own
+  ink, less than half a line from its axis, is not asked for; what was traced there is judged.
 - Sheets of 1200 px have up to 11 stations a half, of 1600 px up to 15, wider ones up to 21. A line is 1 to 4 px wide,
   S/lw (half-breadth over line width) between 150 and 600 but for those limits.
 - Times are for reading alone, two pictures at a time on two cores.

@@ -22,6 +22,7 @@ Array = NDArray[np.float64]
 SHORTEST_WAVE = 0.045  # of B/2: shorter waves along a curve are taken for noise
 WEIGHT_OF_SHARED = 0.04  # of a point in a ribbon of several curves, against 1 for one of its own
 WEIGHT_OF_GAP = 1e-5  # of a point that nothing shows
+WEIGHT_OF_BLOT = 4e-3  # of a point on the straight way from the keel point to where a curve comes out of the blot
 SAME_PLACE_PX = 2.0  # curves that lie so near each other at a knuckle all have it
 PASSES = 4  # of the robust fit
 BLOT = 0.25  # of B/2: how far from the keel point curves may still be merged
@@ -154,9 +155,12 @@ def _trace(
     column, index = np.unique(np.concatenate(columns), return_index=True)
     row, seen = np.concatenate(rows)[index], np.concatenate(weights)[index]
     found, own = len(column), int((seen == 1.0).sum())
-    column, row, seen = _held_to_keel(column, row, seen, frame)
-    every = np.arange(column[0], column[-1] + 1)
+    held = _held_to_keel(column, row, seen, frame)
+    every = np.arange(held[0][0], held[0][-1] + 1)
     weight = np.full(len(every), WEIGHT_OF_GAP)
+    if len(held[0]) != len(column) or held[0][0] != column[0]:
+        weight[: int(held[0][1] - held[0][0])] = WEIGHT_OF_BLOT
+    column, row, seen = held
     weight[(column - column[0]).astype(np.int64)] = seen
     raw = np.interp(every, column, row)
     found_corners = [corner_near(every, raw, weight, at, frame.half_breadth_px) for at in knuckles]
