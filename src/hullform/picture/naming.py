@@ -134,7 +134,7 @@ def certainties(curves: Sequence[Array], confidences: Sequence[float]) -> list[f
     for curve, confidence in zip(curves, confidences, strict=True):
         across, up = np.ptp(curve, axis=0)
         # a flat of bottom high up, at a raked end, turns up into its bilge
-        rise, run = np.ptp(curve[curve[:, 0] > curve[-1, 0] - END * across], axis=0)[::-1]
+        rise, run = np.ptp(curve[curve[:, 0] >= curve[-1, 0] - END * across], axis=0)[::-1]
         level = up < LEVEL * across and curve[:, 1].min() > HIGH * top and rise < run
         certain.append(confidence * (CERTAINTY_OF_LEVEL if level else 1.0))
     return certain
