@@ -34,7 +34,7 @@ def browser(driver: Playwright) -> Iterator[Browser]:
     browser.close()
 
 
-@pytest.mark.parametrize("name", ["dtmb5415", "gunnerus"])
+@pytest.mark.parametrize("name", ["dtmb5415", "oural"])
 def test_review_brings_every_station(
     name: str, browser: Browser, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

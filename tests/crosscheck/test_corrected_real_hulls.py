@@ -17,7 +17,7 @@ from hullform.ship import read_ship
 MOST_CORRECTIONS_OF_STATIONS = 0.5
 
 
-@pytest.mark.parametrize("name", ["dtmb5415", "gunnerus"])
+@pytest.mark.parametrize("name", ["dtmb5415", "oural"])
 def test_every_station_of_a_hard_hull_comes_right(
     name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
