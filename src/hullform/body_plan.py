@@ -82,6 +82,22 @@ class Station:
         """The lowest confidence of the station's curves."""
         return min(curve.confidence for curve in self.curves)
 
+    def area_below(self, height_m: float) -> float:
+        """Area of the section, both sides, below a height above the base line: 2 ∮ y dz along each curve, m2.
+
+        A curve that turns back counts its inner part against its outer.
+        """
+        total = 0.0
+        for curve in self.curves:
+            y, z = curve.half_breadth_m, curve.height_m
+            below = np.minimum(z, height_m)
+            rise = np.diff(z)
+            slope = np.divide(np.diff(y), rise, out=np.zeros_like(rise), where=np.abs(rise) > 1e-12)
+            start = y[:-1] + slope * (below[:-1] - z[:-1])
+            end = y[:-1] + slope * (below[1:] - z[:-1])
+            total += float(np.sum((start + end) * np.diff(below)))
+        return total
+
 
 @dataclass(frozen=True)
 class Calibration:

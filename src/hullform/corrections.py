@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from hullform.quantities import Number
-from hullform.ship import Half, Mark
+from hullform.ship_body_plan import Half, Mark
 
 Point = tuple[Number, Number]
 Pair = tuple[Point, Point]

@@ -16,7 +16,8 @@ from hullform.corrections import Correction, Drawn, MarkedStation
 from hullform.errors import ReviewError
 from hullform.files import whole_file
 from hullform.quantities import Number
-from hullform.ship import SAME_STATION_M, BodyPlanSource, CalibrationGiven, Half, Ship, Side, StationName
+from hullform.ship import Ship
+from hullform.ship_body_plan import SAME_STATION_M, BodyPlanSource, CalibrationGiven, Half, Side, StationName
 
 BLOCK_BYTES = 1 << 20
 HALVES: tuple[Half, Half] = ("aft", "fore")

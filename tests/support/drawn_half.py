@@ -12,7 +12,8 @@ from reading_accuracy import to_polyline
 
 from hullform.corrections import Correction
 from hullform.picture.frame import DiagonalFrame
-from hullform.picture.half import HalfInk, HalfReading, pieces_of_curve, trace_half
+from hullform.picture.half import HalfReading, trace_half
+from hullform.picture.half_ink import HalfInk, pieces_of_curve
 from hullform.picture.ink import ink_of
 from hullform.picture.placing import Placed
 from hullform.picture.ridges import find_peaks

@@ -13,7 +13,7 @@ from hullform.picture.frame import DiagonalFrame
 from hullform.picture.joints import Tips, joints
 from hullform.picture.marks import PlacedMark, near_curves
 from hullform.picture.winding import closed, ends_at_centre
-from hullform.ship import Mark
+from hullform.ship_body_plan import Mark
 
 Array = NDArray[np.float64]
 SIZE = 400.0  # px per B/2

@@ -16,7 +16,7 @@ from hullform.picture.frame import DiagonalFrame
 from hullform.picture.ink import ink_of
 from hullform.picture.lines import find_lines, subtract_lines
 from hullform.picture.ridges import find_peaks, find_tracklets
-from hullform.ship import CalibrationGiven
+from hullform.ship_body_plan import CalibrationGiven
 
 Array = NDArray[np.float64]
 SIZE = (700, 900)  # rows, columns

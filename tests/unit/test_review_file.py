@@ -12,7 +12,8 @@ from hullform.cli import main
 from hullform.corrections import Cut, MarkedStation
 from hullform.errors import ReviewError
 from hullform.review_file import Review, ReviewedStations, new_review, read_review, write_review
-from hullform.ship import CalibrationGiven, Ship, read_ship
+from hullform.ship import Ship, read_ship
+from hullform.ship_body_plan import CalibrationGiven
 
 WIGLEY = Path(__file__).parents[2] / "bodyplans" / "wigley"
 

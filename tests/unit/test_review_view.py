@@ -16,7 +16,7 @@ from hullform.errors import ReviewError
 from hullform.review import desk as desks
 from hullform.review.desk import Desk, SupersededError
 from hullform.review.evidence import Evidence
-from hullform.review.form import area_below, half_breadth_at, waterlines
+from hullform.review.form import half_breadth_at, waterlines
 from hullform.review.shown_picture import shown_picture
 from hullform.ship import read_ship
 
@@ -28,22 +28,6 @@ def desk(tmp_path_factory: pytest.TempPathFactory) -> Desk:
     folder = tmp_path_factory.mktemp("desk") / "wigley"
     shutil.copytree(WIGLEY, folder, ignore=shutil.ignore_patterns("results"))
     return Desk(read_ship(folder / "ship.toml"))
-
-
-def test_area_of_a_triangle_and_of_its_lower_part() -> None:
-    # y = z to 4 m: both sides together z^2
-    triangle = (TracedCurve(np.array([0.0, 4.0]), np.array([0.0, 4.0])),)
-    assert area_below(triangle, 10.0) == pytest.approx(16.0)
-    assert area_below(triangle, 3.0) == pytest.approx(9.0)
-
-
-def test_area_of_a_curve_that_turns_back_is_what_it_encloses() -> None:
-    # a bulb: a half circle on the centre line; below its centre half of it
-    turn = np.linspace(-np.pi / 2, np.pi / 2, 2001)
-    bulb = (TracedCurve(np.cos(turn), 2.0 + np.sin(turn)),)
-    # a polygon of 2000 sides is too small by 1e-6 of the circle
-    assert area_below(bulb, 5.0) == pytest.approx(np.pi, rel=1e-5)
-    assert area_below(bulb, 2.0) == pytest.approx(np.pi / 2, rel=1e-5)
 
 
 def test_half_breadth_is_the_largest_of_the_crossings() -> None:

@@ -16,7 +16,7 @@ from hullform.picture.homography import describe, fit_points, fit_without_outlie
 from hullform.picture.ink import Ink
 from hullform.picture.lines import StraightLine, crossing
 from hullform.picture.scale import Comb, Grid, find_grid, outermost_half_breadth
-from hullform.ship import CalibrationGiven
+from hullform.ship_body_plan import CalibrationGiven
 
 Array = NDArray[np.float64]
 
@@ -276,7 +276,7 @@ def _from_points(given: CalibrationGiven, name: str) -> Calibration:
             f"{name}: the {len(metres)} points of [body_plan.calibration] fix no scale; "
             "give two or more apart from each other, not all on one line"
         ) from None
-    return describe(matrix, residual, f"{len(metres)} points given in ship.toml, residual {residual:.2f} px")
+    return describe(matrix, residual, f"{len(metres)} known points, residual {residual:.2f} px")
 
 
 def _from_grid(

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
 from hullform.corrections import DeckEdge, Ignored
-from hullform.picture.half import HalfInk, pieces_of_curve
+from hullform.picture.half_ink import HalfInk, pieces_of_curve
 from hullform.picture.placing import Placed
 from hullform.picture.sheer import SheerLine
 from hullform.picture.turning_edits import without_ignored

@@ -164,11 +164,8 @@ def _doubts_of_displacement(stations: Sequence[Station], particulars: Particular
         key = f"block_coefficient = {particulars.block_coefficient:g}"
     else:
         return []
-    levels_m = np.linspace(0.0, particulars.draught_m, 200)
     x = np.array([station.x_m for station in stations])
-    areas = np.array(
-        [2 * np.trapezoid(np.nan_to_num(_half_breadths(s.curves[0], levels_m)), levels_m) for s in stations]
-    )
+    areas = np.array([station.area_below(particulars.draught_m) for station in stations])
     x, first = np.unique(x, return_index=True)
     read_m3 = float(np.trapezoid(areas[first], x))
     if abs(read_m3 / given_m3 - 1) <= DISPLACEMENT_LIMIT:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from hullform.corrections import Correction, DeckEdge, Drawn, Ignored, MarkedStation
-from hullform.ship import Mark
+from hullform.ship_body_plan import Mark
 
 NO_LINE = "no line lies there"
 REASONS = {

@@ -2,8 +2,7 @@
 
 Every curve is a unit of flow from the keel or centre line to the deck. A tracklet pays for its length once; a second
 curve may share it only where the ink is wide enough for two lines; links across gaps cost what they bend. Solving for
-all curves at once keeps one curve from taking its neighbour's continuation. The programme is a network's, so the
-optimum of the linear relaxation is integral.
+all curves at once keeps one curve from taking its neighbour's continuation.
 """
 
 from __future__ import annotations
@@ -13,8 +12,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linprog
-from scipy.sparse import coo_matrix
 
 from hullform.picture.bends import find_bends, walking_order
 from hullform.picture.constraints import UNCONSTRAINED, Constraints, Links
@@ -33,6 +30,7 @@ from hullform.picture.joints import (
 )
 from hullform.picture.line_edits import end_of, start_of
 from hullform.picture.lines import Mask
+from hullform.picture.network import Flow, Network, cheapest_flow
 from hullform.picture.ridges import Tracklet
 from hullform.picture.turning import NOTHING_TURNS, Turning
 
@@ -126,7 +124,7 @@ def find_paths(
     )
 
     def solve(units: int) -> Flow | None:
-        return _solve(network, units)
+        return cheapest_flow(network, units)
 
     flow, unlisted = solve(most), 0
     while flow is None and unlisted < MOST_UNLISTED:  # more lines are to be joined than there are stations
@@ -146,21 +144,6 @@ def find_paths(
     return [Path(tuple(walk), cost) for walk, cost in zip(walks, ends, strict=True)], unlisted
 
 
-@dataclass(frozen=True, eq=False)
-class Flow:
-    """Units on links, into and out of tracklets, and their whole cost (px of ink, negative where it pays)."""
-
-    links: Indices
-    entries: Indices
-    exits: Indices
-    cost: float
-
-    @property
-    def units(self) -> int:
-        """Number of curves."""
-        return int(self.entries.sum())
-
-
 def _worth(tracklets: list[Tracklet], width_px: float) -> tuple[Array, Array]:
     """What the first curve gains on each tracklet (negative: it pays), and what every further one pays."""
     length = np.array([len(t.column) for t in tracklets], dtype=np.float64)
@@ -177,32 +160,6 @@ class MarkInFrame:
     station: int
     column: float
     row: float
-
-
-@dataclass(frozen=True, eq=False)
-class Network:
-    """Costs of the flow, px of ink.
-
-    Attributes:
-        reward: of the first curve on each piece; `share`: of each further one.
-        links: pieces that may follow each other.
-        entry, leave: of a curve that begins or ends with each piece.
-        marked: number of stations that a user marked on each piece.
-        reward_of_mark: for each further curve up to that number.
-        twins: the last 2 * twins pieces are so many walked one way, then the same walked the other way: each is used
-            once.
-        least: number of curves: a marked station has one of its own.
-    """
-
-    reward: Array
-    share: Array
-    links: Links
-    entry: Array
-    leave: Array
-    marked: Indices
-    reward_of_mark: float
-    twins: int
-    least: int
 
 
 def _marked(tracklets: list[Tracklet], marks: Sequence[MarkInFrame], width_px: float) -> tuple[Indices, set[int]]:
@@ -274,68 +231,6 @@ def _links(
     broken = (certain >= 1.0) & (bend > 0.9) & ~knuckle | in_centre & (turn > LARGEST_BEND_AT_CENTRE)
     good = (cost < DEAREST_LINK) & ~steep & ~broken
     return source[good].astype(np.int64), target[good].astype(np.int64), cost[good]
-
-
-def _solve(network: Network, most: int) -> Flow | None:
-    """The cheapest flow of at most `most` units; None where the links that must be passed need more."""
-    source, target, twins = network.links.source, network.links.target, network.twins
-    n, m = len(network.reward), len(network.links.cost)
-    wanted = np.flatnonzero(network.marked > 1)  # by more curves than one
-    cost = np.concatenate(
-        [
-            network.reward,
-            network.share,
-            network.links.cost,
-            network.entry,
-            network.leave,
-            network.share[wanted] - network.reward_of_mark,
-        ]
-    )
-    lower = np.concatenate([np.zeros(2 * n), network.links.least, np.zeros(2 * n + wanted.size)])
-    upper = np.concatenate(
-        [np.ones(n), np.full(n, most - 1.0), np.full(m + 2 * n, float(most)), network.marked[wanted] - 1.0]
-    )
-    node, arc = np.arange(n), np.arange(m)
-    # what comes in (links, entries) passes the tracklet (first use, shared use) and goes out (links, exits)
-    rows = np.concatenate([target, node, node, node, wanted, n + source, n + node, n + node, n + node, n + wanted])
-    first, second, links, entries, exits = 0, n, 2 * n, 2 * n + m, 3 * n + m
-    further = 4 * n + m + np.arange(wanted.size)
-    columns = np.concatenate(
-        [
-            links + arc,
-            entries + node,
-            first + node,
-            second + node,
-            further,
-            links + arc,
-            exits + node,
-            first + node,
-            second + node,
-            further,
-        ]
-    )
-    inside = -np.ones(2 * n + wanted.size)
-    signs = np.concatenate([np.ones(m + n), inside, np.ones(m + n), inside])
-    balance = coo_matrix((signs, (rows, columns)), shape=(2 * n, len(cost))).tocsr()
-    pair = np.arange(twins)
-    none = np.zeros(n, dtype=np.int64)
-    bounded_rows = np.concatenate([none, none + 1, 2 + pair, 2 + pair])
-    bounded_columns = np.concatenate([entries + node, entries + node, n - 2 * twins + pair, n - twins + pair])
-    weights = np.concatenate([np.ones(n), -np.ones(n), np.ones(2 * twins)])
-    bounded = coo_matrix((weights, (bounded_rows, bounded_columns)), shape=(2 + twins, len(cost)))
-    result = linprog(  # type: ignore[call-overload]  # the stubs know no sparse matrices
-        cost,
-        A_ub=bounded.tocsr(),
-        b_ub=np.concatenate([[float(most), -float(min(network.least, most))], np.ones(twins)]),
-        A_eq=balance,
-        b_eq=np.zeros(2 * n),
-        bounds=np.column_stack([lower, upper]),
-        method="highs",
-    )
-    if result.x is None:
-        return None
-    x = np.round(result.x).astype(np.int64)
-    return Flow(x[links:entries], x[entries:exits], x[exits : exits + n], float(result.fun))
 
 
 def _decompose(first: Ends, last: Ends, frame: DiagonalFrame, links: Links, flow: Flow) -> list[list[int]]:

@@ -81,6 +81,13 @@ class DiagonalFrame:
             (h[1, 0] * across + h[1, 1] * up + h[1, 2]) / depth,
         )
 
+    def from_picture(self, u: Array | float, v: Array | float) -> tuple[Array, Array]:
+        """(y, z) in px of the drawing of picture pixels; the inverse of `to_picture`."""
+        u, v = np.broadcast_arrays(np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64))
+        y, z, depth = np.linalg.solve(self.pixel_from_metres, np.stack([u.ravel(), v.ravel(), np.ones(u.size)]))
+        scale = depth * self.metres_per_px
+        return (self.side * y / scale).reshape(u.shape), (z / scale).reshape(u.shape)
+
     def sample(self, ink: Ink) -> Ink:
         """(rows, columns) the ink of a picture, resampled once into the frame; paper outside."""
         return np.asarray(self._warped(ink, cv2.INTER_LINEAR), dtype=np.float32)

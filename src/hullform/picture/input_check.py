@@ -12,7 +12,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from hullform.picture.half import HalfInk
+from hullform.picture.half_ink import HalfInk
 
 SMALLEST_HALF_PX = 600.0  # S of a picture about 1450 px wide
 FINEST_LINES = 300.0  # S / lw

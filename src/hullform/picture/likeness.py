@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.errors import PictureError
-from hullform.picture.half import HalfInk
+from hullform.picture.half_ink import HalfInk
 from hullform.picture.ink import Ink
 from hullform.picture.lines import find_lines, subtract_lines
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from hullform.picture.frame import DiagonalFrame
 from hullform.picture.naming import NO_CURVE
 from hullform.picture.reduction import Reduction
-from hullform.ship import Mark
+from hullform.ship_body_plan import Mark
 
 Array = NDArray[np.float64]
 
@@ -53,7 +53,7 @@ def place_marks(
         if not (-0.5 <= u <= width - 0.5 and -0.5 <= v <= height - 0.5):
             doubts.append(f"{_named(mark)} lies outside the picture of {width} x {height} px; it was not used")
             continue
-        y, z = _to_drawing(reduction.read(mark.px), frame)
+        y, z = (float(value) for value in frame.from_picture(*reduction.read(mark.px)))
         if y < -APART * frame.half_breadth_px:
             doubts.append(
                 f"{_named(mark)} lies in the other half; check its half, its px and aft_side; it was not used"
@@ -113,9 +113,3 @@ def unheeded(
 
 def _named(mark: Mark) -> str:
     return f"the mark of station {mark.station_m:g} m ({mark.half} half) at px [{mark.px[0]:g}, {mark.px[1]:g}]"
-
-
-def _to_drawing(px: tuple[float, float], frame: DiagonalFrame) -> tuple[float, float]:
-    """(y, z) in px of the drawing of a pixel of the picture that is read."""
-    y, z, depth = np.linalg.solve(frame.pixel_from_metres, np.array([px[0], px[1], 1.0]))
-    return float(frame.side * y / depth / frame.metres_per_px), float(z / depth / frame.metres_per_px)

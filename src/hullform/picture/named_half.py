@@ -22,7 +22,8 @@ from hullform.picture.placing import Placed
 from hullform.picture.proposals import LabelledHalf, label_costs, label_half
 from hullform.picture.seen import SeenCurve, StationDoubt, UnusedLine, seen_curves, unused_lines
 from hullform.picture.sheet import Sheet
-from hullform.ship import Mark, Ship
+from hullform.ship import Ship
+from hullform.ship_body_plan import Mark
 from hullform.station_names import StationNames
 
 Array = NDArray[np.float64]

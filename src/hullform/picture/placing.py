@@ -57,9 +57,7 @@ def place_corrections(
 
 def drawing_of_stored(px: Array, frame: DiagonalFrame, reduction: Reduction) -> Array:
     """(n, 2) [y, z] in px of the drawing of pixels of the stored picture."""
-    u, v = reduction.read((px[:, 0], px[:, 1]))
-    y, z, depth = np.linalg.solve(frame.pixel_from_metres, np.vstack([u, v, np.ones(len(px))]))
-    return np.asarray(np.column_stack([frame.side * y, z]) / depth[:, None] / frame.metres_per_px)
+    return np.column_stack(frame.from_picture(*reduction.read((px[:, 0], px[:, 1]))))
 
 
 def stored_of_drawing(yz: Array, frame: DiagonalFrame, reduction: Reduction) -> Array:

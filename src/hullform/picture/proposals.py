@@ -62,8 +62,7 @@ def labels_in_half(labels: Sequence[Label], frame: DiagonalFrame) -> tuple[Place
     scale = frame.metres_per_px
     placed = []
     for label in labels:
-        y, z, depth = np.linalg.solve(frame.pixel_from_metres, np.array([*label.centre_px, 1.0]))
-        y_px, z_px = float(frame.side * y / depth / scale), float(z / depth / scale)
+        y_px, z_px = (float(value) for value in frame.from_picture(*label.centre_px))
         reach = (label.width_px / 2, label.height_px / 2)
         text = label.text.strip(STROKES)
         inside = 0.0 < y_px < OUTBOARD * frame.half_breadth_px and -reach[1] < z_px < frame.top_px

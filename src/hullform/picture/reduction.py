@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from hullform.body_plan import Calibration
 from hullform.picture.homography import describe
 from hullform.picture.image_files import Picture
-from hullform.ship import CalibrationGiven, CalibrationPoint
+from hullform.ship_body_plan import CalibrationGiven, CalibrationPoint
 
 Array = NDArray[np.float64]
 Coordinate = TypeVar("Coordinate", float, Array)

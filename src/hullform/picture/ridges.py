@@ -32,7 +32,7 @@ USUAL_BOLDNESS = 35.0  # percentile of the ink across the lines that is a statio
 HOOK_PX = 1.2  # beside the continuation of its tracklet, an end that lies so far off is a hook
 HAIR_LINE = 0.5  # of that: a line so thin is no station
 CREST = 0.4  # of full ink, for each line width of depth
-CREST_FROM = 1.9  # line widths inside a ribbon: two lines that run together, blurred by the raster, measure 1.75
+CREST_FROM = 1.9  # line widths inside a ribbon: two lines side by side are 0.9 to 1.4 deep, three 1.2 to 2.1
 WIDEST_PX = 60  # of a ribbon of merged curves, to either side of a peak
 
 

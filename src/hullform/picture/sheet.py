@@ -13,7 +13,7 @@ from hullform.body_plan import Half
 from hullform.errors import PictureError
 from hullform.picture.calibration import CalibratedSheet, calibrate
 from hullform.picture.frame import DiagonalFrame
-from hullform.picture.half import HalfInk, prepare_half
+from hullform.picture.half_ink import HalfInk, prepare_half
 from hullform.picture.image_files import Picture, load_grey
 from hullform.picture.ink import Ink, ink_of
 from hullform.picture.labels import Label, can_read_labels, read_labels

@@ -19,7 +19,8 @@ from hullform.picture.sheet import Sheet, prepare_sheet
 from hullform.review.strip import straightened
 from hullform.review.view import reading_document
 from hullform.review_file import Review, checked_review, new_review, read_review, write_review
-from hullform.ship import SAME_STATION_M, Ship
+from hullform.ship import Ship
+from hullform.ship_body_plan import SAME_STATION_M
 
 Document = dict[str, Any]
 

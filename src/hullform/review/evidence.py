@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from hullform.picture.half import HalfInk
+from hullform.picture.half_ink import HalfInk
 from hullform.picture.placing import stored_of_drawing
 from hullform.picture.reduction import Reduction
 

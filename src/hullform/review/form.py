@@ -15,25 +15,6 @@ from hullform.body_plan import Station, TracedCurve
 Array = NDArray[np.float64]
 
 
-def area_below(curves: Sequence[TracedCurve], height_m: float) -> float:
-    """Area of a section, both sides, below a height: 2 ∮ y dz along each of its curves, m2.
-
-    Args:
-        curves: of the station, keel to deck; one that turns back counts its inner part against its outer.
-        height_m: above the base line.
-    """
-    total = 0.0
-    for curve in curves:
-        y, z = curve.half_breadth_m, curve.height_m
-        below = np.minimum(z, height_m)
-        rise = np.diff(z)
-        slope = np.divide(np.diff(y), rise, out=np.zeros_like(rise), where=np.abs(rise) > 1e-12)
-        start = y[:-1] + slope * (below[:-1] - z[:-1])
-        end = y[:-1] + slope * (below[1:] - z[:-1])
-        total += float(np.sum((start + end) * np.diff(below)))
-    return total
-
-
 def half_breadth_at(curves: Sequence[TracedCurve], height_m: float) -> float | None:
     """The largest half-breadth of a section at a height, m; None where no curve of it passes there."""
     found: list[float] = []

@@ -12,7 +12,7 @@ from hullform.picture.reading import PictureReading
 from hullform.picture.seen import SeenCurve
 from hullform.picture.sheet import HALVES, Sheet
 from hullform.review.evidence import Evidence
-from hullform.review.form import area_below, waterlines
+from hullform.review.form import waterlines
 from hullform.ship import Ship
 from hullform.station_names import StationNames
 
@@ -50,7 +50,7 @@ def reading_document(sheet: Sheet, reading: PictureReading, ship: Ship) -> Docum
             {
                 "half": station.half,
                 "x_m": station.x_m,
-                "area_m2": area_below(station.curves, reading.draught_m),
+                "area_m2": station.area_below(reading.draught_m),
                 "confidence": station.confidence,
             }
             for station in stations

@@ -18,7 +18,8 @@ export class App {
     this.history = new History(opened.review);
     this.reading = opened.reading;
     this.gridFound = opened.reading?.calibration.grid_m; // the last one: with known points none is looked for
-    this.failure = opened.failure;
+    this.failure = opened.failure; // of the last reading
+    this.unsaved = null; // why the last save failed
     this.version = 0;
     this.station = null; // { half, x_m }: the one that marks and drawn curves are for
     this.secondContour = false;
@@ -205,9 +206,9 @@ export class App {
       const { file } = await api.save(document);
       this.history.markSaved(document);
       this.savedTo = file;
-      this.failure = null;
+      this.unsaved = null;
     } catch (error) {
-      this.failure = `Not saved. ${error.message}`;
+      this.unsaved = error.message;
     }
     this.changed();
   }

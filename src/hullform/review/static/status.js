@@ -24,9 +24,9 @@ export function drawStatus(app) {
 
 export function drawNotice(app) {
   const notice = byId("notice");
-  const { failure, savedTo } = app;
-  notice.className = failure ? "bad" : "good";
-  const words = failure
+  const { failure, unsaved, savedTo } = app;
+  notice.className = failure || unsaved ? "bad" : "good";
+  const refused = failure
     ? [
         make(
           "strong",
@@ -34,7 +34,12 @@ export function drawNotice(app) {
           app.reading ? "This was refused; what you see is the reading before it. " : "Nothing could be read yet. ",
         ),
         failure,
+        " ",
       ]
+    : [];
+  const lost = unsaved ? [make("strong", {}, "Not saved. "), unsaved] : [];
+  const words = failure || unsaved
+    ? [...refused, ...lost]
     : savedTo && !app.history.changed
       ? [
           make("strong", {}, "Saved "),
