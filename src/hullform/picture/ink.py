@@ -18,6 +18,7 @@ BLUR_OF_HARD_EDGES_PX = 0.7
 LEAST_INK_SHARE = 1e-4  # of the pixels: a body plan has 1 % and more
 LEAST_DRAWING = 0.4  # of the picture's width
 BOX_OF_PIECE = (cv2.CC_STAT_LEFT, cv2.CC_STAT_TOP, cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT)
+EMPTY_OF_BORDER = (0.3, 0.7)  # of its breadth and height: a title block in its corner does not reach there
 MOST_INK_SHARE = 0.4  # of the pixels: beyond it the picture is a photograph or a negative
 
 
@@ -65,14 +66,17 @@ def ink_of(grey: Picture, name: str = "the picture") -> Ink:
     ink = np.clip(ink / np.percentile(dark, 90), 0.0, 1.0).astype(np.float32)
     _, labels, statistics, _ = cv2.connectedComponentsWithStats((ink > 0.25).astype(np.uint8), connectivity=8)
     speck = statistics[:, cv2.CC_STAT_AREA] < max(6.0, 7.0 * (width / 1000.0) ** 2)
-    dropped = speck | _borders(statistics, width)
+    dropped = speck | _borders(labels, statistics, width)
     dropped[0] = False
     ink[dropped[labels]] = 0.0
     return np.asarray(ink, dtype=np.float32)
 
 
-def _borders(statistics: NDArray[np.int32], width: int) -> NDArray[np.bool_]:
-    """Which connected pieces (one a row) go round a drawing without touching it: the border of the sheet."""
+def _borders(labels: NDArray[np.int32], statistics: NDArray[np.int32], width: int) -> NDArray[np.bool_]:
+    """Which connected pieces (one a row) go round a drawing without touching it: the border of the sheet.
+
+    Nothing of a border lies in the middle of what it goes round; of a drawing that a scan has torn apart much does.
+    """
     left, top, wide, high = (statistics[:, k] for k in BOX_OF_PIECE)
     right, bottom = left + wide, top + high
     border = np.zeros(len(statistics), dtype=np.bool_)
@@ -80,5 +84,9 @@ def _borders(statistics: NDArray[np.int32], width: int) -> NDArray[np.bool_]:
     large = large[large > 0]
     for n in large:
         inside = (left[large] > left[n]) & (right[large] < right[n]) & (top[large] > top[n])
-        border[n] = bool((inside & (bottom[large] < bottom[n])).any())
+        rows, columns = (
+            slice(round(start + EMPTY_OF_BORDER[0] * size), round(start + EMPTY_OF_BORDER[1] * size))
+            for start, size in ((top[n], high[n]), (left[n], wide[n]))
+        )
+        border[n] = bool((inside & (bottom[large] < bottom[n])).any()) and not (labels[rows, columns] == n).any()
     return border
