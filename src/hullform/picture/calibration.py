@@ -113,6 +113,10 @@ def calibrate(
             f"{name}: no ship's side found beside the centre line; give metres_per_px in [body_plan.calibration]"
         )
     rough = scale or breadth_m / 2 / (half_breadth_px or 1.0)
+    levels = list(horizontal)
+    if half_breadth_px is not None and up.size:
+        flat = np.array([is_flat_of_bottom(line, ink, origin[0], half_breadth_px) for line in horizontal])
+        levels, up = [line for line, hull in zip(horizontal, flat, strict=True) if not hull], up[~flat]
     # distances along base line and centre line as they were before a camera leaned
     grid = find_grid(across / (1 - lean * across), up / (1 - lean_up * up), rough, breadth_m, bool(lean or lean_up))
     anything_given = any(value is not None for value in (u0, v0, scale)) or (
@@ -125,7 +129,7 @@ def calibrate(
     ]
     doubts: list[str] = []
     if grid is not None and not anything_given:
-        calibration = _from_grid(grid, horizontal, vertical, breadth_m, words)
+        calibration = _from_grid(grid, levels, vertical, breadth_m, words)
     else:
         if scale is not None:
             words.append("scale given")

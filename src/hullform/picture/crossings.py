@@ -18,7 +18,7 @@ NEAR_AXIS = 0.03  # of B/2 from centre line and base line: there many curves mer
 
 
 def crossing_of(inner: Array, outer: Array, frame: DiagonalFrame) -> tuple[float, float] | None:
-    """[y, z] in px of the drawing where the inner of two curves comes to lie outside the outer one; None if nowhere.
+    """[y, z] in px where the inner of two curves crosses to the outside of the outer one; None where it does not.
 
     Args:
         inner, outer: (n, 2) [y, z] of each, px, keel to deck; pieces that lean back are not looked at.
@@ -38,7 +38,8 @@ def crossing_of(inner: Array, outer: Array, frame: DiagonalFrame) -> tuple[float
     wrong = inside & (apart < -CLEAR * size)
     if wrong.sum() < LONG * size or (inside & (apart > CLEAR * size)).sum() < LONG * size:
         return None
-    place = int(np.flatnonzero(wrong)[0])
+    turns = np.flatnonzero(np.diff(np.sign(apart)) != 0)
+    place = int(turns[np.argmin(np.abs(turns - np.flatnonzero(wrong)[0]))])
     return float(y[place]), float(z[place])
 
 

@@ -9,10 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.body_plan import Half, Station, TracedCurve
-from hullform.corrections import Correction, Drawn
+from hullform.corrections import Correction, Crossing, Drawn
 from hullform.errors import PictureError
 from hullform.picture.contours import NO_LOOP, marks_on_loops, pair_loops
 from hullform.picture.corrected import correct_ink
+from hullform.picture.crossings import crossings
 from hullform.picture.half import HalfReading, trace_half
 from hullform.picture.label_doubts import doubts_of_labels
 from hullform.picture.labels import Label
@@ -30,6 +31,7 @@ Array = NDArray[np.float64]
 
 FEWEST_CURVES = 3  # of a half: fewer are no body plan
 LOW_CONFIDENCE = 0.5
+NEAR_CROSSING = 0.08  # of B/2: what a person says of a crossing holds so far
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +46,7 @@ class NamedHalf:
         labels: of the drawing that stand at its curves.
         stations: with their curves in metres.
         curves, unused, unsure: for a page that shows the reading.
-        heeded_by_ink: ids of corrections that changed its ink.
+        heeded_by_ink: ids of corrections that changed its ink; `confirmed`: of those that say what was read anyway.
         used_marks: that lie on a curve.
         notes, doubts: in words.
     """
@@ -59,6 +61,7 @@ class NamedHalf:
     unused: tuple[UnusedLine, ...]
     unsure: tuple[StationDoubt, ...]
     heeded_by_ink: Collection[str]
+    confirmed: Collection[str]
     used_marks: Collection[Mark]
     notes: tuple[str, ...]
     doubts: tuple[str, ...]
@@ -133,6 +136,7 @@ def read_half(
         [_index(inner_first, x) for x, _ in reading.second_contours],
     )
     stations, unsure = _stations(reading, inner_first, assigned, second, names)
+    doubts_of_crossings, confirmed = _crossings(reading, inner_first, assigned, names, placed)
     notes, doubts_of_sharing = _account(reading, inner_first, assigned, second, names)
     return NamedHalf(
         reading=reading,
@@ -147,6 +151,7 @@ def read_half(
         unused=tuple(unused_lines(reading, sheet.reduction)),
         unsure=tuple(unsure),
         heeded_by_ink=heeded,
+        confirmed=confirmed,
         used_marks={mark.mark for mark in (*marks, *(mark for mark, _ in on_loops))},
         notes=tuple(notes),
         doubts=(
@@ -156,6 +161,7 @@ def read_half(
             *doubts_of_places,
             *unheeded(marks, reading.curves, assigned, size),
             *doubts_of_labels(labelled, reading.curves, assigned),
+            *doubts_of_crossings,
         ),
     )
 
@@ -207,6 +213,32 @@ def _stations(
             text = f"{names.one(x)}: traced with confidence {curves[number].confidence:.2f}; look at it in the overlay"
             unsure.append(StationDoubt(x, reading.half, text))
     return stations, unsure
+
+
+def _crossings(
+    reading: HalfReading,
+    inner_first: tuple[float, ...],
+    assigned: list[int],
+    names: StationNames,
+    placed: Sequence[Placed],
+) -> tuple[list[str], set[str]]:
+    """Doubts about neighbours that cross, unless a person drew one of them, and who said that they do."""
+    scale, reach = reading.frame.metres_per_px, NEAR_CROSSING * reading.frame.half_breadth_px
+    said = {item.correction.id: item.yz[0] for item in placed if isinstance(item.correction, Crossing)}
+    by_hand = {number for number, _ in reading.drawn}
+    stations = {number: places[0] for number, places in _by_curve(inner_first, assigned).items()}
+    doubts: list[str] = []
+    confirmed: set[str] = set()
+    for inner, outer, y, z in crossings(reading.curves, reading.frame):
+        known = inner in stations and outer in stations and not {inner, outer} & by_hand
+        here = {id for id, at in said.items() if np.hypot(at[0] - y, at[1] - z) < reach}
+        confirmed |= here
+        if known and not here:
+            doubts.append(
+                f"{names.one(stations[inner])} crosses {names.one(stations[outer])} near y {y * scale:.2f} "
+                f"z {z * scale:.2f} m; look at it in the overlay; where it is drawn so, say 'cross' on the review page"
+            )
+    return doubts, confirmed
 
 
 def _account(

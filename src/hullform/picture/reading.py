@@ -138,7 +138,7 @@ def _read(sheet: Sheet, ship: Ship, corrections: Sequence[Correction]) -> Pictur
     stations = [station for half in halves for station in half.stations]
     without_effect = unheeded_corrections(
         corrections,
-        {id for half in halves for id in half.reading.unheeded},
+        {id for half in halves for id in half.reading.unheeded if id not in half.confirmed},
         {id for half in halves for id in half.heeded_by_ink},
         {mark for half in halves for mark in half.used_marks},
     )

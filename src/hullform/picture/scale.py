@@ -18,7 +18,7 @@ ROUGH_TOLERANCE = 0.03  # between the rough scale and a round grid spacing
 AXES_TOLERANCE = 0.004  # between the scales of the two families of a grid
 AXES_TOLERANCE_LEANING = 0.012  # the same where the camera leaned
 COMB_TOLERANCE_PX = 1.5  # how far a grid line may lie from its multiple
-FEWEST_TEETH = 3  # different multiples, zero included, that make a grid
+FEWEST_TEETH = 3  # different multiples, zero included, that make a grid: the two sides alone are the ship's
 LEAST_HALF_BREADTH = 0.05  # of the picture's width: less is the centre line itself
 LEAST_SIDE = 0.05  # of the height above the base line: upright ink that counts as a ship's side
 HIGHEST_FIGURE = 0.014  # of the picture's width: figures beside the waterlines may touch them
@@ -88,7 +88,7 @@ def find_combs(distances: Array, largest: int = 40) -> list[Comb]:
         multiples = np.round(distances / step).astype(np.int64)
         members = np.abs(distances - multiples * step) < COMB_TOLERANCE_PX + 0.01 * step
         weight = multiples[members].astype(np.float64)
-        if len(set(multiples[members])) < FEWEST_TEETH or not weight.any():
+        if len(set(np.abs(multiples[members]))) < FEWEST_TEETH or not weight.any():
             continue
         fine = float((weight @ distances[members]) / (weight @ weight))
         multiples = np.round(distances / fine).astype(np.int64)
@@ -96,7 +96,7 @@ def find_combs(distances: Array, largest: int = 40) -> list[Comb]:
         teeth = multiples[members]
         # teeth that are missing inside the range speak for a multiple of this spacing
         full = len(set(np.abs(teeth))) / (np.abs(teeth).max() + 1) if teeth.size else 0
-        if len(set(teeth)) >= FEWEST_TEETH and full >= 0.6:
+        if len(set(np.abs(teeth))) >= FEWEST_TEETH and full >= 0.6:
             combs.append(Comb(fine, multiples, members))
     return sorted(combs, key=lambda comb: -_regularity(comb))[:12]
 
