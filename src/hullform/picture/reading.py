@@ -18,11 +18,11 @@ from hullform.picture.checking.doubts import (
     doubts_of_counts,
     doubts_of_edges,
     doubts_of_keel,
-    doubts_of_parallel_body,
     doubts_of_scale,
 )
 from hullform.picture.checking.effects import Unheeded, unheeded_corrections
 from hullform.picture.checking.loose_ends import doubts_of_loose_ends
+from hullform.picture.checking.parallel_body import doubts_of_parallel_body
 from hullform.picture.edits.placing import place_corrections
 from hullform.picture.image.image_files import Picture
 from hullform.picture.image.reduction import Reduction
@@ -145,7 +145,15 @@ def _read(sheet: Sheet, ship: Ship, corrections: Sequence[Correction]) -> Pictur
     doubts_of_stations = [
         *(doubt for half in halves for doubt in half.doubts),
         *(item.text for item in without_effect),
-        *doubts_of_scale(str(path), readings, sheet.ink, sheet.bare, main.breadth_m, main.depth_m),
+        *doubts_of_scale(
+            str(path),
+            readings,
+            sheet.ink,
+            sheet.bare,
+            main.breadth_m,
+            main.depth_m,
+            by_grid=sheet.calibrated.grid_m is not None,
+        ),
         *doubts_below_base(readings, sheet.bare),
         *doubts_of_keel(readings, main.depth_m),
         *doubts_of_counts(halves),
