@@ -94,7 +94,9 @@ def test_another_host_name_is_refused(address: Address, path: str) -> None:
     assert b"this machine alone" in content
 
 
-@pytest.mark.parametrize("path", ["/", "/?token=guessed", "/picture", "/api/opening", "/api/strip?half=aft&station_m=25"])
+@pytest.mark.parametrize(
+    "path", ["/", "/?token=guessed", "/picture", "/api/opening", "/api/strip?half=aft&station_m=25"]
+)
 @pytest.mark.parametrize("cookie", ["", "guessed"])
 def test_nothing_of_the_ship_is_served_without_the_token(address: Address, path: str, cookie: str) -> None:
     headers = {"cookie": f"hullform-review-{address.port}={cookie}"} if cookie else {}

@@ -19,6 +19,7 @@ from hullform.picture.checking.doubts import (
     doubts_of_edges,
     doubts_of_keel,
     doubts_of_scale,
+    doubts_of_the_whole,
 )
 from hullform.picture.checking.effects import Unheeded, unheeded_corrections
 from hullform.picture.checking.loose_ends import doubts_of_loose_ends
@@ -38,7 +39,7 @@ from hullform.ship import Ship
 Array = NDArray[np.float64]
 
 LABELS_NOT_READ = (
-    "the labels of the drawing were not read, which might settle doubts about names: install the extra 'ocr' "
+    "the labels of the drawing were not read, so that nothing speaks for or against the names: install the extra 'ocr' "
     "(pip install 'hullform[ocr]')"
 )
 
@@ -163,10 +164,11 @@ def _read(sheet: Sheet, ship: Ship, corrections: Sequence[Correction]) -> Pictur
     ]
     notes_of_input, doubts_of_input = check_input(path.name, sheet.halves.values(), sheet.size_px[0])
     notes = [*sheet.calibrated.notes, *(note for half in halves for note in half.notes), *notes_of_input]
-    if labels is None and doubts_of_stations:
+    if labels is None:
         notes.append(LABELS_NOT_READ)
     doubts = [*sheet.calibrated.doubts, *doubts_of_stations, *doubts_of_input, *doubts_of_edges(readings, sheet.bare)]
     doubts += doubts_of_loose_ends(halves)
+    doubts = [*doubts_of_the_whole(len(doubts), sum(len(half.inner_first) for half in halves)), *doubts]
     calibration = sheet.calibrated.calibration
     body_plan = BodyPlan(tuple(stations), "picture", sheet.reduction.stored(calibration), tuple(notes), tuple(doubts))
     scale = calibration.metres_per_px

@@ -19,6 +19,9 @@ AT_SIDE = 0.97  # of B/2: what the outermost curve of a drawing reaches
 NEAR_SIDE = 0.9  # of B/2: stations there end about as high as the midship section
 ON_SIDE = 0.996  # of B/2: stations there run up the line of the ship's side
 SCALES_APART = 0.015  # between breadth and depth, beyond which a person should look
+ENDS_AT_DEPTH = (
+    0.25  # of the curves that end near the side: so many amidships end at the depth, others with sheer above
+)
 HOPELESS = 0.85  # least ratio of the scales of breadth and depth, either way
 RUNS_ON = (0.02, 0.06)  # of B/2: where ink beyond the end of a curve means that the curve goes on
 SIDE_WINDOW = 0.08  # of B/2: the stretch of the line of the side that must be drawn for the most part
@@ -26,9 +29,25 @@ HIGHEST_KEEL = 0.04  # of D: of the midship section
 TRACED_BELOW = 0.012  # of B/2 below the base line: nearer to it flat bottoms waver
 DEEPEST = 0.5  # of B/2: how far down is looked
 DEEP = 0.06  # of B/2: what hangs down from the base line less far is a label or a box line's end
+FEWEST_DOUBTS, MOST_DOUBTED = 6, 0.3  # all in all, and of the stations: so many doubts have a common cause
 EDGE_PX = 2.5
 FEWEST_CUT = 3  # lines at the picture's edge: one or two may be the scanner's
 WIDEST_STROKE_PX = 40
+
+
+def doubts_of_the_whole(doubts: int, stations: int) -> list[str]:
+    """What to look at before the single doubts, where they are so many that something common must be wrong.
+
+    Args:
+        doubts: number of all others.
+        stations: number that is listed.
+    """
+    if doubts < max(FEWEST_DOUBTS, MOST_DOUBTED * stations):
+        return []
+    return [
+        f"{doubts} doubts for {stations} stations: look first whether the picture shows a body plan alone, upright and "
+        "not turned by 90 degrees or mirrored, and whether scale and base line lie right in the overlay"
+    ]
 
 
 def doubts_of_counts(halves: Sequence[NamedHalf]) -> list[str]:
@@ -88,9 +107,9 @@ def doubts_of_scale(
         if curve[-1, 0] > NEAR_SIDE * reading.frame.half_breadth_px
     ]
     # the depth is that amidships: with sheer the others end above it, in a stretched picture all do, and as much
-    lowest = min(ends_m, default=0.0)
-    curves_above = cut_off or lowest > (1 + SCALES_APART) * depth_m
-    all_above = cut_off or lowest > depth_m / HOPELESS
+    at_depth = sum(abs(end / depth_m - 1) < SCALES_APART for end in ends_m) >= max(2, ENDS_AT_DEPTH * len(ends_m))
+    curves_above = cut_off or (not at_depth and any(end > (1 + SCALES_APART) * depth_m for end in ends_m))
+    all_above = cut_off or (bool(ends_m) and min(ends_m) > depth_m / HOPELESS)
     top = max(tops_m) if max(tops_m) < depth_m else min(tops_m)
     fits = (top / depth_m > 1 - SCALES_APART) and (top / depth_m < 1 + SCALES_APART or not curves_above)
     if fits and not cut_off and widest > AT_SIDE * breadth_m / 2:
