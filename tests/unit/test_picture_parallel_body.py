@@ -34,7 +34,7 @@ class Half:
 
 
 def half_of(inside: list[float], marked: tuple[float, ...] = ()) -> NamedHalf:
-    """Upright walls that lie so far inside of B/2, in px, from the centre line outwards; the last has all other names."""
+    """Upright walls that lie so far inside of B/2, px, from the centre line outwards; the last has all other names."""
     curves = tuple(np.column_stack([np.full(300, SIZE - d), np.linspace(0.0, 400.0, 300)]) for d in inside)
     reading = HalfReading("aft", FRAME, curves, (1.0,) * len(curves), None)
     assigned = tuple(min(n, len(curves) - 1) for n in range(len(X)))

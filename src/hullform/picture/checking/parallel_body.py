@@ -1,4 +1,4 @@
-"""Stations that share the outermost curve: what must hold where they are a parallel body, and are not a list's fault."""
+"""Stations that share the outermost curve: what must hold where they are a parallel body and no fault of a list."""
 
 from __future__ import annotations
 
@@ -45,9 +45,9 @@ def doubts_of_parallel_body(halves: Sequence[NamedHalf], length_between_perpendi
             )
         elif not _said(half) and (move := _next_move(half)) > MOST_MOVE:
             doubts.append(
-                f"{name} half: {words} share the outermost curve, but the sections still change where it begins: as the "
-                f"curves inside of it go on, the next would lie {100 * move:.1f} % of B/2 beside it on average; check "
-                f"that {name}_stations_m lists no station too many, or mark a point of each of these stations"
+                f"{name} half: {words} share the outermost curve, but the sections still change where it begins: as "
+                f"the curves inside of it go on, the next would lie {100 * move:.1f} % of B/2 beside it on average; "
+                f"check that {name}_stations_m lists no station too many, or mark a point of each of these stations"
             )
     shared = [x for half in sharing for x in half.shared]
     share = (max(shared) - min(shared)) / length_between_perpendiculars_m if shared else 0.0
@@ -73,7 +73,7 @@ def _said(half: NamedHalf) -> bool:
 
 
 def _next_move(half: NamedHalf) -> float:
-    """How far beside the shared curve the second of its stations would lie, in parts of B/2, 0 where it may be the same.
+    """How far beside the shared curve the second of its stations would lie, in parts of B/2; 0 where it may be one.
 
     The change of the sections along the ship is taken on from the two curves inside of the shared one: into a parallel
     body it runs out. Distances are across the diagonal frame, which sees bottom and side alike.

@@ -225,7 +225,7 @@ def _crossings(
     names: StationNames,
     placed: Sequence[Placed],
 ) -> tuple[list[str], set[str], set[int]]:
-    """Doubts about neighbours that cross, unless a person drew one of them; who said that they do; which are in doubt."""
+    """Doubts about neighbours that cross, unless a person drew one; who said that they do; which are in doubt."""
     scale, reach = reading.frame.metres_per_px, NEAR_CROSSING * reading.frame.half_breadth_px
     said = {item.correction.id: item.yz[0] for item in placed if isinstance(item.correction, Crossing)}
     by_hand = {number for number, _ in reading.drawn}
