@@ -15,6 +15,7 @@ from hullform.checks import Check
 from hullform.empirical_figures import EmpiricalFigures
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.hull.loft import Hull
+from hullform.in_service import InService
 from hullform.loading.distributions import Distribution
 from hullform.loading.structure import Structure
 from hullform.loading.weights import LightShip
@@ -51,6 +52,11 @@ class Distortion:
     antinodes: tuple[distortion.Shift, ...]
     energy: distortion.EnergySplit
     correlation: distortion.SpatialCorrelation
+
+
+def headline(solutions: Mapping[str, Modes]) -> Modes:
+    """The solution whose figures are quoted: with shear deflection."""
+    return solutions["shear"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,8 +100,8 @@ class ConditionRun:
 
     @property
     def modes(self) -> Modes:
-        """The headline: with shear deflection."""
-        return self.solutions["shear"]
+        """The headline."""
+        return headline(self.solutions)
 
     @property
     def euler_modes(self) -> Modes:
@@ -116,6 +122,7 @@ class Run:
         light: steel, machinery and their estimates.
         checks: of the hull and the light ship; those of the conditions are theirs.
         conditions: by name, in the order of ship.toml.
+        in_service: the same, held against propeller, engine and waves.
         seconds: by stage, for provenance alone.
     """
 
@@ -127,6 +134,7 @@ class Run:
     light: LightShip
     checks: tuple[Check, ...]
     conditions: Mapping[str, ConditionRun]
+    in_service: Mapping[str, InService]
     seconds: Mapping[str, float]
 
     @property

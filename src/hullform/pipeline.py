@@ -13,8 +13,9 @@ from hullform.afloat import ConditionAfloat, ShipAfloat, load_ship
 from hullform.body_plan import BodyPlan
 from hullform.empirical_figures import in_water_figures
 from hullform.hull.loft import Hull
+from hullform.in_service import in_service
 from hullform.loading.items import KG_PER_T
-from hullform.outcome import ConditionRun, Distortion, Run
+from hullform.outcome import ConditionRun, Distortion, Run, headline
 from hullform.ship import Ship
 from hullvib import distortion
 from hullvib.bounds import Bracket, bracket
@@ -22,6 +23,7 @@ from hullvib.errors import NotProven
 from hullvib.finite_elements import FiniteElements
 from hullvib.girder import Girder
 from hullvib.modes import Modes
+from hullvib.real_ships import ratios
 from hullvib.ritz import Ritz
 from hullvib.solving import solve
 from hullvib.stodola import StodolaRitz
@@ -105,6 +107,9 @@ def run_ship(ship: Ship, progress: Progress = lambda step: None) -> Run:
         progress(f"frequencies: {condition.condition.title}")
         runs[condition.condition.name] = _vibrate(ship, afloat, condition)
     finished("frequencies")
+    progress("propeller, engine and waves")
+    service = {name: in_service(ship, condition.modes) for name, condition in runs.items()}
+    finished("service")
     return Run(
         ship=ship,
         reading=reading,
@@ -114,6 +119,7 @@ def run_ship(ship: Ship, progress: Progress = lambda step: None) -> Run:
         light=afloat.light,
         checks=(*afloat.checks, mesh),
         conditions=runs,
+        in_service=service,
         seconds=seconds,
     )
 
@@ -128,14 +134,16 @@ def _vibrate(ship: Ship, afloat: ShipAfloat, condition: ConditionAfloat) -> Cond
         "shear": solve(girder, StodolaRitz(functions=FUNCTIONS, shear=True), modes=MODES),
         "timoshenko": solve(girder, TimoshenkoElements(elements=ELEMENTS), modes=MODES),
     }
-    frequency = checks.check_frequency(float(solutions["shear"].frequencies_hz[0]), girder.length)
+    quoted = headline(solutions)
+    frequency = checks.check_frequency(float(quoted.frequencies_hz[0]), girder.length)
+    of_ships = checks.checks_of_ratios(ratios(quoted.angular_frequencies), quoted.medium)
     return ConditionRun(
         condition=condition.condition,
         items=condition.items,
         girder=girder,
         floating=floating,
         at_rest=condition.at_rest,
-        checks=(*condition.checks, frequency),
+        checks=(*condition.checks, frequency, *of_ships),
         solutions=solutions,
         bracket=_bracket(solutions["stodola_ritz"]),
         convergence_rad_s=_convergence(girder, rigid_body=True),

@@ -4,17 +4,13 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import ConfigDict, Field
 
-Finite = Annotated[float, Field(allow_inf_nan=False)]
-Frequencies = list[Finite]
-
-
-class _Table(BaseModel):
-    model_config = ConfigDict(extra="forbid")
+from hullform.record_table import Finite, Frequencies, RecordTable
+from hullform.service_records import RatiosRecord, ResonanceRecord, SpringingRecord
 
 
-class Provenance(_Table):
+class Provenance(RecordTable):
     """What made the file, from what, and how long it took."""
 
     program: str
@@ -29,7 +25,7 @@ class Provenance(_Table):
     seconds: dict[str, Finite]
 
 
-class CheckRecord(_Table):
+class CheckRecord(RecordTable):
     """A plausibility check: value against limit."""
 
     id: str
@@ -41,7 +37,7 @@ class CheckRecord(_Table):
     remedy: str
 
 
-class StationRecord(_Table):
+class StationRecord(RecordTable):
     """A drawn station and its super-ellipse; the ellipse is null where the station is too thin to have a shape."""
 
     x_m: Finite
@@ -58,7 +54,7 @@ class StationRecord(_Table):
     largest_deviation_m: Finite | None
 
 
-class HullRecord(_Table):
+class HullRecord(RecordTable):
     """The hull as read and lofted."""
 
     stations: list[StationRecord]
@@ -67,7 +63,7 @@ class HullRecord(_Table):
     calibration: dict[str, Any] | None
 
 
-class PlatesRecord(_Table):
+class PlatesRecord(RecordTable):
     """Plates of one name in the half section at midships, as given: a polyline, gross thickness, stiffeners."""
 
     name: str
@@ -78,7 +74,7 @@ class PlatesRecord(_Table):
     effective_share: Finite
 
 
-class StructureRecord(_Table):
+class StructureRecord(RecordTable):
     """The section at midships, and the curves along the ship; where a member begins or ends an x stands twice."""
 
     plain_shell: bool
@@ -105,7 +101,7 @@ class StructureRecord(_Table):
     steel_area_m2: list[Finite]
 
 
-class LightShipRecord(_Table):
+class LightShipRecord(RecordTable):
     """Steel as given or estimated, and what Watson would expect of steel, machinery and outfit, with ranges."""
 
     steel_weight_t: Finite
@@ -116,7 +112,7 @@ class LightShipRecord(_Table):
     machinery_and_outfit_range_t: tuple[Finite, Finite] | None
 
 
-class Solution(_Table):
+class Solution(RecordTable):
     """Frequencies by one method."""
 
     method: str
@@ -137,7 +133,7 @@ class Solution(_Table):
     normalisation: str
 
 
-class BracketRecord(_Table):
+class BracketRecord(RecordTable):
     """Two-sided bounds of the Euler-Bernoulli frequencies; null where nothing is proven, and `proof` says why."""
 
     lower: Frequencies | None
@@ -145,7 +141,7 @@ class BracketRecord(_Table):
     proof: str
 
 
-class Headline(_Table):
+class Headline(RecordTable):
     """The figures to quote, and what they are figures of. The band is null while the model's own is not known."""
 
     medium: str
@@ -154,7 +150,7 @@ class Headline(_Table):
     band: None = None
 
 
-class DistortionRecord(_Table):
+class DistortionRecord(RecordTable):
     """How the modes differ from the uniform beam's."""
 
     weights: list[list[Finite]]
@@ -169,7 +165,7 @@ class DistortionRecord(_Table):
     rigidity_correlation: list[Finite]
 
 
-class WeightRecord(_Table):
+class WeightRecord(RecordTable):
     """One weight: its mass and the x of its centre."""
 
     name: str
@@ -177,7 +173,7 @@ class WeightRecord(_Table):
     centre_m: Finite | None
 
 
-class FloatingRecord(_Table):
+class FloatingRecord(RecordTable):
     """A straight waterline: draughts, trim by the stern positive, and what it carries."""
 
     draught_aft_m: Finite
@@ -190,7 +186,7 @@ class FloatingRecord(_Table):
     least_freeboard_m: Finite
 
 
-class ExtremesRecord(_Table):
+class ExtremesRecord(RecordTable):
     """The greatest and the least value of a curve, and where they stand."""
 
     maximum: Finite
@@ -199,7 +195,7 @@ class ExtremesRecord(_Table):
     minimum_x_m: Finite
 
 
-class StillWaterRecord(_Table):
+class StillWaterRecord(RecordTable):
     """Shear force and bending moment, hogging positive, dM/dx = V; every x stands twice, once for either side.
 
     Without `equilibrium` they are at a waterline that does not carry the weights, and leave a remainder at the fore
@@ -222,7 +218,7 @@ class StillWaterRecord(_Table):
     bending_moment_curve_n_m: list[Finite]
 
 
-class ConditionRecord(_Table):
+class ConditionRecord(RecordTable):
     """One loading condition."""
 
     label: str
@@ -246,9 +242,12 @@ class ConditionRecord(_Table):
     solutions: list[Solution]
     convergence: dict[str, dict[str, Frequencies]]
     distortion: DistortionRecord
+    ships_as_they_are: RatiosRecord
+    resonance: ResonanceRecord | None
+    springing: SpringingRecord | None
 
 
-class Results(_Table):
+class Results(RecordTable):
     """The whole file."""
 
     model_config = ConfigDict(extra="forbid", validate_by_name=True, validate_by_alias=True)

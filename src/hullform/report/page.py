@@ -22,9 +22,20 @@ from hullform.report import girder_figures, hull_figures, hull_view, midship_fig
 from hullform.report.appendix import table_2_blocks
 from hullform.report.drawing import JPEG_QUALITY, Picture, house_style
 from hullform.report.published import FUNCTIONS
+from hullform.report.resonance_figures import resonance_figure, response_figure
+from hullform.report.springing_figure import springing_figure
 from hullform.report.still_water_figure import still_water_figure
-from hullform.report.wording import ceiling, proven_error, reading_of_mode
+from hullform.report.wording import (
+    ceiling,
+    load_words,
+    participation_words,
+    proven_error,
+    reading_of_mode,
+    springing_rows,
+)
 from hullform.rounding import as_given, per_cent, short, signed, significant
+from hullform.ship_kinds import published_like
+from hullvib.real_ships import RATIO_LIMITS, ratios
 
 REPORT_NAME = "report.html"
 FIGURES_NAME = "figures"
@@ -49,6 +60,8 @@ CHECK_LABELS = {
     "steel-estimate": "Numeral within those behind the estimated steel weight",
     "mesh-volume": "Volume of the mesh against the sections",
     "first-frequency": "First frequency, as of hulls of her length",
+    "three-node-ratio": "3-node over 2-node frequency, as of ships",
+    "four-node-ratio": "4-node over 2-node frequency, as of ships",
 }
 LIBRARIES = ("numpy", "scipy", "opencv-python-headless", "trimesh", "matplotlib")
 
@@ -88,8 +101,21 @@ def draw_pictures(run: Run) -> dict[str, Picture]:
             *(girder_figures.modes_figure(condition) for condition in run.conditions.values()),
             girder_figures.headline_modes_figure(run),
             girder_figures.convergence_figure(run),
+            *_of_service(run),
         ]
     return {picture.name: picture for picture in pictures}
+
+
+def _of_service(run: Run) -> list[Picture]:
+    """What there is to draw of propeller, engine and waves."""
+    pictures = []
+    for name, service in run.in_service.items():
+        if service.resonances is not None:
+            title = run.conditions[name].condition.title
+            pictures.append(resonance_figure(name, title, service.modes, service.resonances))
+            if service.resonances.responses:
+                pictures.append(response_figure(name, title, service.modes, service.resonances))
+    return pictures if run.ship.operation is None else [*pictures, springing_figure(run)]
 
 
 def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
@@ -126,6 +152,13 @@ def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
         "functions": FUNCTIONS,
         "per_cent": per_cent,
         "reading_of_mode": reading_of_mode,
+        "services": [(run.conditions[name].condition.title, name, found) for name, found in run.in_service.items()],
+        "ratios": ratios,
+        "ratio_limits": RATIO_LIMITS,
+        "published_like": published_like(run.ship.particulars),
+        "load_words": load_words,
+        "participation_words": participation_words,
+        "springing_rows": springing_rows,
         "errors": {name: proven_error(condition, HEADLINE_MODES) for name, condition in run.conditions.items()},
         "radius_of_gyration_m": RADIUS_OF_GYRATION * run.ship.particulars.depth_m,
         "gyration_over_depth": RADIUS_OF_GYRATION,
