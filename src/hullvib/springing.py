@@ -124,7 +124,7 @@ def exciting_waves(
 
 
 def _delay(speed_m_s: ArrayLike, heading_rad: ArrayLike, gravity: float) -> Array:
-    """k = U cos(b) / g in s, 0 in beam seas, whose cosine is round-off."""
-    cosine = np.cos(np.asarray(heading_rad, dtype=np.float64))
-    cosine = np.where(np.abs(cosine) < _ROUND_OFF, 0.0, cosine)
-    return np.asarray(np.asarray(speed_m_s, dtype=np.float64) * cosine / gravity, dtype=np.float64)
+    """k = U cos(b) / g in s; 0 where it is round-off, as in beam seas, whose cosine is 6e-17."""
+    speed, cosine = np.asarray(speed_m_s, dtype=np.float64), np.cos(np.asarray(heading_rad, dtype=np.float64))
+    delay = speed * cosine / gravity
+    return np.asarray(np.where(np.abs(delay) < _ROUND_OFF, 0.0, delay), dtype=np.float64)

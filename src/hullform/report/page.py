@@ -35,7 +35,9 @@ from hullform.report.wording import (
 )
 from hullform.rounding import as_given, per_cent, short, signed, significant
 from hullform.ship_kinds import published_like
+from hullvib.model_spread import FLEXURAL_SPREAD, MASS_SPREAD, SHEAR_SPREAD
 from hullvib.real_ships import RATIO_LIMITS, ratios
+from hullvib.resonance import KEEP_CLEAR
 
 REPORT_NAME = "report.html"
 FIGURES_NAME = "figures"
@@ -156,6 +158,8 @@ def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
         "ratios": ratios,
         "ratio_limits": RATIO_LIMITS,
         "published_like": published_like(run.ship.particulars),
+        "keep_clear": KEEP_CLEAR,
+        "spreads": (MASS_SPREAD, FLEXURAL_SPREAD, SHEAR_SPREAD),
         "load_words": load_words,
         "participation_words": participation_words,
         "springing_rows": springing_rows,

@@ -16,13 +16,16 @@ from hullvib.modes import Modes
 from hullvib.resonance import HIGHEST_MODE, KEEP_CLEAR, SURE_MODES, Source
 
 RPM_TO_HZ = 1.0 / 60.0
+# Where along a ray its name may stand, the best place first, and half of what it takes of the frame's width.
+NAME_PLACES = (0.7, 0.62, 0.8, 0.54, 0.46, 0.38, 0.9, 0.3)
+HALF_NAME = 0.07
 
 
 def resonance_figure(name: str, title: str, modes: Modes, found: Resonances) -> Picture:
     """Natural frequencies with their bands, and what propeller and engine excite at each shaft speed."""
     figure = Figure(figsize=(PAGE_WIDTH, 5.0))
     axes = figure.subplots()
-    figure.subplots_adjust(left=0.07, right=0.8, top=0.94, bottom=0.2)
+    figure.subplots_adjust(left=0.07, right=0.8, top=0.94, bottom=0.17)
     slowest, fastest = found.given.shaft_speed_rpm
     last_rpm, top_hz = 1.06 * fastest, 1.25 * found.beam_limit_hz
     _draw_bands(axes, modes, found, last_rpm)
@@ -35,10 +38,12 @@ def resonance_figure(name: str, title: str, modes: Modes, found: Resonances) -> 
         "outside beam theory: decks, double bottom and deckhouse vibrate on their own",
         va="center",
         fontsize=8.0,
+        zorder=6,
         bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.5, "alpha": 0.85},
     )
     for source in found.sources:
-        _draw_ray(axes, source, last_rpm, top_hz)
+        hits = [hit.avoid_rpm for hit in found.hits if hit.source == source]
+        _draw_ray(axes, source, last_rpm, top_hz, hits)
     for hit in found.hits:
         ends = np.array(hit.avoid_rpm)
         axes.plot(
@@ -65,7 +70,7 @@ def resonance_figure(name: str, title: str, modes: Modes, found: Resonances) -> 
             bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0, "alpha": 0.85},
         )
     finish(axes, "", "frequency, Hz", None)
-    axes.set_xlabel("shaft speed, rpm", labelpad=14)
+    axes.set_xlabel("shaft speed, rpm", labelpad=20)
     axes.set_xlim(0.0, last_rpm)
     axes.set_ylim(0.0, top_hz)
     _draw_strip(axes, found)
@@ -105,16 +110,18 @@ def _draw_bands(axes: Axes, modes: Modes, found: Resonances, last_rpm: float) ->
         above = max(hz, above) + 0.04 * found.beam_limit_hz
 
 
-def _draw_ray(axes: Axes, source: Source, last_rpm: float, top_hz: float) -> None:
-    """A line from the origin, its name where it leaves the frame."""
+def _draw_ray(axes: Axes, source: Source, last_rpm: float, top_hz: float, hits: list[tuple[float, float]]) -> None:
+    """A line from the origin, with its name where it covers no hit, if there is such a place."""
     style = "-" if source.acts == "force" else (0, (5, 3))
     steep = source.frequency_hz(last_rpm) > top_hz
     end = 60.0 * top_hz / source.order if steep else last_rpm
     axes.plot([0.0, end], [0.0, source.frequency_hz(end)], color=INK, linewidth=1.0, linestyle=style, zorder=3)
-    # the name runs along the ray a little before its end, on a patch of paper
+    half = HALF_NAME * last_rpm * end / last_rpm
+    free = [x for x in NAME_PLACES if all(x * end + half < low or x * end - half > high for low, high in hits)]
+    share = free[0] if free else NAME_PLACES[0]
+    # the name runs along the ray, on a patch of paper
     box = axes.get_window_extent()
     angle = math.degrees(math.atan2(source.frequency_hz(end) / top_hz * box.height, end / last_rpm * box.width))
-    share = 0.72 if source.acts == "force" else 0.86
     axes.text(
         share * end,
         share * source.frequency_hz(end),
@@ -132,11 +139,11 @@ def _draw_ray(axes: Axes, source: Source, last_rpm: float, top_hz: float) -> Non
 def _draw_strip(axes: Axes, found: Resonances) -> None:
     """The speeds to avoid along the foot of the frame: above for modes 1 to 3, below for the flagged."""
     across = axes.get_xaxis_transform()
-    for spans, level, alpha in ((found.avoid_rpm, -0.095, 0.95), (found.flagged_rpm, -0.125, 0.4)):
+    for spans, level, alpha in ((found.avoid_rpm, -0.075, 0.95), (found.flagged_rpm, -0.1, 0.4)):
         for low, high in spans:
             axes.plot([low, high], [level, level], transform=across, color=WARM, linewidth=4.5, alpha=alpha,
                       solid_capstyle="butt", clip_on=False)  # fmt: skip
-    axes.text(-0.005, -0.11, "avoid", transform=axes.transAxes, ha="right", va="center", fontsize=8.0, color=WARM)
+    axes.text(-0.012, -0.088, "avoid", transform=axes.transAxes, ha="right", va="center", fontsize=8.0, color=WARM)
 
 
 def response_figure(name: str, title: str, modes: Modes, found: Resonances) -> Picture:
