@@ -18,12 +18,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.constants import g as STANDARD_GRAVITY
 
 from hullvib.errors import ArgumentError
 
 Array = NDArray[np.float64]
 
+GRAVITY_M_S2 = 9.81
 ORDERS = (1, 2)
 _ROUND_OFF = 1e-12
 
@@ -55,7 +55,7 @@ class ExcitingWave:
 
 
 def encounter_frequency(
-    wave: ArrayLike, speed_m_s: ArrayLike, heading_rad: ArrayLike, gravity: float = STANDARD_GRAVITY
+    wave: ArrayLike, speed_m_s: ArrayLike, heading_rad: ArrayLike, gravity: float = GRAVITY_M_S2
 ) -> Array:
     """w_e in rad/s of waves w in rad/s; the arguments broadcast."""
     w = np.asarray(wave, dtype=np.float64)
@@ -63,7 +63,7 @@ def encounter_frequency(
 
 
 def wave_frequencies(
-    encounter: ArrayLike, speed_m_s: ArrayLike, heading_rad: ArrayLike, gravity: float = STANDARD_GRAVITY
+    encounter: ArrayLike, speed_m_s: ArrayLike, heading_rad: ArrayLike, gravity: float = GRAVITY_M_S2
 ) -> Array:
     """The waves that are met with the frequency w_e, (..., 3) in rad/s, NaN where there is none; arguments broadcast.
 
@@ -91,7 +91,7 @@ def wave_frequencies(
     return np.stack([longest, shorter, overtaken], axis=-1)
 
 
-def wave_length(wave: ArrayLike, gravity: float = STANDARD_GRAVITY) -> Array:
+def wave_length(wave: ArrayLike, gravity: float = GRAVITY_M_S2) -> Array:
     """2 pi g / w^2 in m, deep water."""
     return np.asarray(2.0 * np.pi * gravity / np.asarray(wave, dtype=np.float64) ** 2, dtype=np.float64)
 
@@ -101,7 +101,7 @@ def exciting_waves(
     speed_m_s: float,
     heading_rad: float,
     orders: tuple[int, ...] = ORDERS,
-    gravity: float = STANDARD_GRAVITY,
+    gravity: float = GRAVITY_M_S2,
 ) -> tuple[ExcitingWave, ...]:
     """The waves that excite a mode at one speed and heading, by order, the longest of each first. Raises ArgumentError.
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from hullvib.errors import ArgumentError
 from hullvib.springing import (
-    STANDARD_GRAVITY,
+    GRAVITY_M_S2,
     encounter_frequency,
     exciting_waves,
     wave_frequencies,
@@ -37,27 +37,27 @@ def test_in_beam_seas_speed_does_not_matter() -> None:
 
 def test_head_seas_worked_by_hand() -> None:
     # U / g = 1 s: w + w^2 = 6 has the root 2
-    roots = wave_frequencies(6.0, STANDARD_GRAVITY, HEAD)
+    roots = wave_frequencies(6.0, GRAVITY_M_S2, HEAD)
     assert roots[0] == pytest.approx(2.0, rel=1e-14)
     assert np.isnan(roots[1:]).all()
 
 
 def test_following_seas_have_three_waves_while_she_is_slow() -> None:
     # U / g = 1 s: w - w^2 = 3/16 has the roots 1/4 and 3/4, and w^2 - w = 3/16 the root (1 + sqrt(7) / 2) / 2
-    roots = wave_frequencies(3 / 16, STANDARD_GRAVITY, FOLLOWING)
+    roots = wave_frequencies(3 / 16, GRAVITY_M_S2, FOLLOWING)
     assert roots == pytest.approx([0.25, 0.75, (1 + math.sqrt(1.75)) / 2], rel=1e-14)
 
 
 def test_two_of_them_coincide_at_the_tangent() -> None:
     # U / g = 1 s: w - w^2 has its largest value, 1/4, at w = 1/2
-    roots = wave_frequencies(0.25, STANDARD_GRAVITY, FOLLOWING)
+    roots = wave_frequencies(0.25, GRAVITY_M_S2, FOLLOWING)
     assert roots[0] == pytest.approx(0.5, rel=1e-12)
     assert np.isnan(roots[1])
     assert roots[2] == pytest.approx((1 + math.sqrt(2)) / 2, rel=1e-14)
 
 
 def test_beyond_the_tangent_only_the_wave_that_she_overtakes_is_left() -> None:
-    roots = wave_frequencies(0.26, STANDARD_GRAVITY, FOLLOWING)
+    roots = wave_frequencies(0.26, GRAVITY_M_S2, FOLLOWING)
     assert np.isnan(roots[:2]).all()
     assert roots[2] == pytest.approx((1 + math.sqrt(2.04)) / 2, rel=1e-14)
 
@@ -72,14 +72,14 @@ def test_every_root_is_met_with_the_frequency_asked_for(met: float, speed: float
     found = roots[np.isfinite(roots)]
     assert found.size >= 1
     # a long wave is the small difference of two large numbers where k w^2 is large
-    size = found + found**2 * speed * abs(math.cos(heading)) / STANDARD_GRAVITY
+    size = found + found**2 * speed * abs(math.cos(heading)) / GRAVITY_M_S2
     assert np.abs(encounter_frequency(found, speed, heading) - met).max() <= 1e-11 * size.max()
 
 
 @given(met=st.floats(0.05, 20.0), speed=st.floats(0.0, 25.0), heading=st.floats(0.0, math.pi))
 def test_there_are_no_other_roots(met: float, speed: float, heading: float) -> None:
     """Sign changes of w_e - |..| on a fine grid, against the closed form."""
-    k = speed * math.cos(heading) / STANDARD_GRAVITY
+    k = speed * math.cos(heading) / GRAVITY_M_S2
     roots = wave_frequencies(met, speed, heading)
     known = np.sort(roots[np.isfinite(roots)])
     if known[-1] > 1e3 or abs(1 - 4 * k * met) < 1e-3 or (k != 0 and abs(k) < 1e-4):
@@ -111,7 +111,7 @@ def test_in_following_seas_at_speed_she_overtakes_the_wave() -> None:
     assert [(wave.order, wave.overtaken) for wave in waves] == [(1, True), (2, True)]
     for wave in waves:
         # faster than the crests of the wave, g / w
-        assert STANDARD_GRAVITY / wave.angular_frequency < 20.0 * 1852 / 3600
+        assert GRAVITY_M_S2 / wave.angular_frequency < 20.0 * 1852 / 3600
 
 
 def test_arrays_broadcast() -> None:

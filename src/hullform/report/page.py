@@ -154,7 +154,7 @@ def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
         "functions": FUNCTIONS,
         "per_cent": per_cent,
         "reading_of_mode": reading_of_mode,
-        "services": [(run.conditions[name].condition.title, name, found) for name, found in run.in_service.items()],
+        "services": [(held.condition.title, name, run.in_service[name]) for name, held in run.conditions.items()],
         "ratios": ratios,
         "ratio_limits": RATIO_LIMITS,
         "published_like": published_like(run.ship.particulars),
