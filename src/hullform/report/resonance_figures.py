@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hullform.in_service import Resonances
+from hullform.in_service import Resonances, Response
 from hullform.report.drawing import ACCENT, INK, PAGE_WIDTH, QUIET, SERIES, WARM, Picture, as_svg, finish
 from hullform.report.wording import load_words
 from hullform.rounding import short, significant
@@ -16,7 +16,7 @@ from hullvib.modes import Modes
 from hullvib.resonance import HIGHEST_MODE, KEEP_CLEAR, SURE_MODES, Source
 
 RPM_TO_HZ = 1.0 / 60.0
-# Where along a ray its name may stand, the best place first, and half of what it takes of the frame's width.
+# Where along a ray its name may stand, the best place first, and half of what it takes, over its length.
 NAME_PLACES = (0.7, 0.62, 0.8, 0.54, 0.46, 0.38, 0.9, 0.3)
 HALF_NAME = 0.07
 
@@ -42,8 +42,7 @@ def resonance_figure(name: str, title: str, modes: Modes, found: Resonances) -> 
         bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.5, "alpha": 0.85},
     )
     for source in found.sources:
-        hits = [hit.avoid_rpm for hit in found.hits if hit.source == source]
-        _draw_ray(axes, source, last_rpm, top_hz, hits)
+        _draw_ray(axes, source, last_rpm, top_hz, found)
     for hit in found.hits:
         ends = np.array(hit.avoid_rpm)
         axes.plot(
@@ -110,14 +109,20 @@ def _draw_bands(axes: Axes, modes: Modes, found: Resonances, last_rpm: float) ->
         above = max(hz, above) + 0.04 * found.beam_limit_hz
 
 
-def _draw_ray(axes: Axes, source: Source, last_rpm: float, top_hz: float, hits: list[tuple[float, float]]) -> None:
-    """A line from the origin, with its name where it covers no hit, if there is such a place."""
+def _draw_ray(axes: Axes, source: Source, last_rpm: float, top_hz: float, found: Resonances) -> None:
+    """A line from the origin, with its name where it covers no hit and no other text, if there is such a place."""
     style = "-" if source.acts == "force" else (0, (5, 3))
     steep = source.frequency_hz(last_rpm) > top_hz
     end = 60.0 * top_hz / source.order if steep else last_rpm
     axes.plot([0.0, end], [0.0, source.frequency_hz(end)], color=INK, linewidth=1.0, linestyle=style, zorder=3)
-    half = HALF_NAME * last_rpm * end / last_rpm
-    free = [x for x in NAME_PLACES if all(x * end + half < low or x * end - half > high for low, high in hits)]
+    half = HALF_NAME * end
+    hits = [hit.avoid_rpm for hit in found.hits if hit.source == source]
+    free = [
+        place
+        for place in NAME_PLACES
+        if all(place * end + half < low or place * end - half > high for low, high in hits)
+        and source.frequency_hz(place * end + half) < found.beam_limit_hz
+    ]
     share = free[0] if free else NAME_PLACES[0]
     # the name runs along the ray, on a patch of paper
     box = axes.get_window_extent()
@@ -148,19 +153,18 @@ def _draw_strip(axes: Axes, found: Resonances) -> None:
 
 def response_figure(name: str, title: str, modes: Modes, found: Resonances) -> Picture:
     """Peak velocity along the ship at every hit: loads that ship.toml gives, and unit loads."""
-    groups = [
-        [response for response in found.responses if response.load_is_given],
-        [response for response in found.responses if not response.load_is_given],
-    ]
-    drawn = [group for group in groups if group]
-    rows = max(len(group) for group in drawn)
+    groups: dict[str, list[Response]] = {}
+    for response in sorted(found.responses, key=lambda response: not response.load_is_given):
+        unit = "of 1 kN at the propeller" if response.load.force_n else "of 1 MN m at the engine"
+        groups.setdefault("loads as given" if response.load_is_given else unit, []).append(response)
+    rows = max(len(group) for group in groups.values())
     height = 2.9 + 0.19 * rows
     figure = Figure(figsize=(PAGE_WIDTH, height))
-    panels = figure.subplots(1, len(drawn), squeeze=False)[0]
+    panels = figure.subplots(1, len(groups), squeeze=False)[0]
     figure.subplots_adjust(
         left=0.075, right=0.985, top=1 - 0.28 / height, bottom=(0.62 + 0.19 * rows) / height, wspace=0.2
     )
-    for axes, group in zip(panels, drawn, strict=True):
+    for axes, (load, group) in zip(panels, groups.items(), strict=True):
         for index, response in enumerate(group):
             axes.plot(
                 response.motion.x_m,
@@ -168,13 +172,14 @@ def response_figure(name: str, title: str, modes: Modes, found: Resonances) -> P
                 color=SERIES[index % len(SERIES)],
                 linestyle=("-", "--", ":")[index // len(SERIES) % 3],
                 linewidth=1.4,
-                label=f"mode {response.hit.mode}, {response.hit.source.name}, {short(response.speed_rpm)} rpm: "
-                f"{load_words(response)}",
+                label=f"mode {response.hit.mode}, {response.hit.source.name}, {short(response.speed_rpm)} rpm"
+                + (f": {load_words(response)}" if response.load_is_given else ""),
             )
-        finish(axes, "x from the aft end, m", "peak velocity, mm/s", modes.girder.length)
+        finish(axes, "x from the aft end, m", "", modes.girder.length)
         axes.set_ylim(bottom=0.0)
-        axes.set_title("loads as given" if group[0].load_is_given else "unit loads: 1 kN, 1 MN m")
+        axes.set_title(load)
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.52 / (height - 0.9 - 0.19 * rows)), fontsize=7.6)
+    panels[0].set_ylabel("peak velocity, mm/s")
     return as_svg(
         figure,
         f"response-{name}",
