@@ -91,6 +91,10 @@ class Resonances:
         """How well a hit's source excites its mode from where it stands, 0 .. 1."""
         return abs(float(self.participation[self.sources.index(hit.source), hit.mode - 1]))
 
+    def hits_at(self, source: Source, mode: int, speed_rpm: float) -> bool:
+        """Whether a source hits a mode, from 1, at a shaft speed."""
+        return any(hit.source == source and hit.mode == mode and hit.holds(speed_rpm) for hit in self.hits)
+
     def margin_of(self, hit: Hit) -> float | None:
         """How far a hit's source lies above its mode's frequency at the service speed, over it."""
         return None if self.margins is None else float(self.margins[self.sources.index(hit.source), hit.mode - 1])

@@ -21,7 +21,7 @@ from hullform.outcome import Run
 from hullform.pipeline import run_ship
 from hullform.report.page import CHECK_LABELS, draw_pictures, failed_checks, render, write_report
 from hullform.report.wording import reading_of_mode
-from hullform.rounding import per_cent, significant
+from hullform.rounding import per_cent, signed, significant
 from hullform.ship import read_ship
 from hullform.ship_structure import StructureInput
 from hullform.terminal import summary
@@ -394,6 +394,11 @@ def test_every_hit_stands_in_the_report_with_its_speeds(in_service: Run) -> None
             assert significant(1e3 * response.motion.peak_velocity_m_s[0]) in cells
         for low, high in found.avoid_rpm:
             assert f"{significant(low)} to {significant(high)} rpm" in part
+        margins = part[part.index("Margins at the service speed, 100 rpm") :]
+        assert margins.count("<strong>") == sum(hit.holds(100.0) for hit in found.hits)
+        assert found.margins is not None
+        for margin in found.margins.ravel():
+            assert f"{signed(100 * margin)}<" in margins
     assert "give <code>m2v_nm</code>" in page
     assert "no verdict on habitability" in page
     assert "Outside beam theory at the service speed: blade rate, 8.33 Hz" in " ".join(page.split())
