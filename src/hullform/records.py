@@ -6,11 +6,12 @@ from typing import Annotated, Any, Literal
 
 from pydantic import ConfigDict, Field
 
-from hullform.record_table import Finite, Frequencies, RecordTable
+from hullform.record_table import Finite, Frequencies
+from hullform.record_table import RecordTable as _Table
 from hullform.service_records import RatiosRecord, ResonanceRecord, SpringingRecord
 
 
-class Provenance(RecordTable):
+class Provenance(_Table):
     """What made the file, from what, and how long it took."""
 
     program: str
@@ -25,7 +26,7 @@ class Provenance(RecordTable):
     seconds: dict[str, Finite]
 
 
-class CheckRecord(RecordTable):
+class CheckRecord(_Table):
     """A plausibility check: value against limit."""
 
     id: str
@@ -37,7 +38,7 @@ class CheckRecord(RecordTable):
     remedy: str
 
 
-class StationRecord(RecordTable):
+class StationRecord(_Table):
     """A drawn station and its super-ellipse; the ellipse is null where the station is too thin to have a shape."""
 
     x_m: Finite
@@ -54,7 +55,7 @@ class StationRecord(RecordTable):
     largest_deviation_m: Finite | None
 
 
-class HullRecord(RecordTable):
+class HullRecord(_Table):
     """The hull as read and lofted."""
 
     stations: list[StationRecord]
@@ -63,7 +64,7 @@ class HullRecord(RecordTable):
     calibration: dict[str, Any] | None
 
 
-class PlatesRecord(RecordTable):
+class PlatesRecord(_Table):
     """Plates of one name in the half section at midships, as given: a polyline, gross thickness, stiffeners."""
 
     name: str
@@ -74,7 +75,7 @@ class PlatesRecord(RecordTable):
     effective_share: Finite
 
 
-class StructureRecord(RecordTable):
+class StructureRecord(_Table):
     """The section at midships, and the curves along the ship; where a member begins or ends an x stands twice."""
 
     plain_shell: bool
@@ -101,7 +102,7 @@ class StructureRecord(RecordTable):
     steel_area_m2: list[Finite]
 
 
-class LightShipRecord(RecordTable):
+class LightShipRecord(_Table):
     """Steel as given or estimated, and what Watson would expect of steel, machinery and outfit, with ranges."""
 
     steel_weight_t: Finite
@@ -112,7 +113,7 @@ class LightShipRecord(RecordTable):
     machinery_and_outfit_range_t: tuple[Finite, Finite] | None
 
 
-class Solution(RecordTable):
+class Solution(_Table):
     """Frequencies by one method."""
 
     method: str
@@ -133,7 +134,7 @@ class Solution(RecordTable):
     normalisation: str
 
 
-class BracketRecord(RecordTable):
+class BracketRecord(_Table):
     """Two-sided bounds of the Euler-Bernoulli frequencies; null where nothing is proven, and `proof` says why."""
 
     lower: Frequencies | None
@@ -141,7 +142,7 @@ class BracketRecord(RecordTable):
     proof: str
 
 
-class Headline(RecordTable):
+class Headline(_Table):
     """The figures to quote, and what they are figures of. The band is null while the model's own is not known."""
 
     medium: str
@@ -150,7 +151,7 @@ class Headline(RecordTable):
     band: None = None
 
 
-class DistortionRecord(RecordTable):
+class DistortionRecord(_Table):
     """How the modes differ from the uniform beam's."""
 
     weights: list[list[Finite]]
@@ -165,7 +166,7 @@ class DistortionRecord(RecordTable):
     rigidity_correlation: list[Finite]
 
 
-class WeightRecord(RecordTable):
+class WeightRecord(_Table):
     """One weight: its mass and the x of its centre."""
 
     name: str
@@ -173,7 +174,7 @@ class WeightRecord(RecordTable):
     centre_m: Finite | None
 
 
-class FloatingRecord(RecordTable):
+class FloatingRecord(_Table):
     """A straight waterline: draughts, trim by the stern positive, and what it carries."""
 
     draught_aft_m: Finite
@@ -186,7 +187,7 @@ class FloatingRecord(RecordTable):
     least_freeboard_m: Finite
 
 
-class ExtremesRecord(RecordTable):
+class ExtremesRecord(_Table):
     """The greatest and the least value of a curve, and where they stand."""
 
     maximum: Finite
@@ -195,7 +196,7 @@ class ExtremesRecord(RecordTable):
     minimum_x_m: Finite
 
 
-class StillWaterRecord(RecordTable):
+class StillWaterRecord(_Table):
     """Shear force and bending moment, hogging positive, dM/dx = V; every x stands twice, once for either side.
 
     Without `equilibrium` they are at a waterline that does not carry the weights, and leave a remainder at the fore
@@ -218,7 +219,7 @@ class StillWaterRecord(RecordTable):
     bending_moment_curve_n_m: list[Finite]
 
 
-class ConditionRecord(RecordTable):
+class ConditionRecord(_Table):
     """One loading condition."""
 
     label: str
@@ -247,7 +248,7 @@ class ConditionRecord(RecordTable):
     springing: SpringingRecord | None
 
 
-class Results(RecordTable):
+class Results(_Table):
     """The whole file."""
 
     model_config = ConfigDict(extra="forbid", validate_by_name=True, validate_by_alias=True)
