@@ -444,7 +444,8 @@ def test_ships_as_they_are_stand_beside_her(run: Run, page: str) -> None:
         for ratio in ratios(condition.modes.angular_frequencies):
             assert f"<td>{significant(ratio)}</td>" in section
     assert "1.7–2.15" in section
-    assert "are <strong>dry</strong>" in section
+    dry = next(iter(run.conditions.values())).modes.medium == "dry"
+    assert ("are <strong>dry</strong>" if dry else "A ratio outside is a doubt") in section
 
 
 def test_the_terminal_tells_what_to_avoid(in_service: Run, run: Run) -> None:
