@@ -6,7 +6,7 @@
 [5.0358, 13.8813, 27.2128, 44.9842, 67.1986]
 """
 
-from hullvib import distortion, empirical, errors, sensitivity
+from hullvib import distortion, empirical, errors, sensitivity, wet
 from hullvib.bounds import Bracket, bracket
 from hullvib.correlation import Orthogonality, mac, orthogonality
 from hullvib.distortion import ritz_convergence
@@ -66,6 +66,7 @@ __all__ = [
     "sensitivity",
     "solve",
     "solve_many",
+    "wet",
     "write_girder",
     "write_modes",
 ]
