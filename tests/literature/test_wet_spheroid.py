@@ -1,7 +1,7 @@
 """Added mass and wet frequencies of half-submerged prolate spheroids against the exact series and the printed tables.
 
 Tables: F. M. Lewis (1929) and J. L. Taylor (1930) as E. C. Tupper, Introduction to Naval Architecture, table 11.2, has
-them, for 2 and 3 nodes; k_2 of H. Lamb, Hydrodynamics, art. 114.
+them, for 2 and 3 nodes; k_2 of H. Lamb, Hydrodynamics, art. 114. Ellipsoids of three axes: Lamb, art. 114 too.
 """
 
 import numpy as np
@@ -13,6 +13,9 @@ from floating_bodies import (
     spheroid_sections,
     uniform_girder,
 )
+
+from scipy.integrate import quad
+from scipy.special import ellipe
 
 from hullvib import wet
 from hullvib.errors import ArgumentError
@@ -132,3 +135,42 @@ def test_strips_with_the_spheroids_own_series_are_exact_but_for_the_turning():
     found = wet.StripFlow(spheroid_sections(length, breadth, 121)).added_mass(motions).matrix
     np.testing.assert_allclose(found.diagonal(), exact.diagonal(), rtol=2e-3)
     np.testing.assert_allclose(found, exact, atol=2e-3 * np.abs(exact).max())
+
+
+def ellipsoid_heave(length, breadth, draught):
+    """Exact added mass in heave of a half-submerged ellipsoid, kg: rho V gamma / (2 - gamma), V immersed."""
+    a, b, c = length / 2, breadth / 2, draught
+
+    def integrand(t):
+        # lambda = t / (1 - t) brings infinity to 1
+        lam = t / (1 - t)
+        return 1.0 / ((c**2 + lam) * np.sqrt((a**2 + lam) * (b**2 + lam) * (c**2 + lam))) / (1 - t) ** 2
+
+    gamma = a * b * c * quad(integrand, 0.0, 1.0, limit=400, points=[0.5, 0.99, 0.999, 0.9999])[0]
+    return 1025.0 * 2.0 / 3.0 * np.pi * a * b * c * gamma / (2.0 - gamma)
+
+
+def ellipsoid_sections(length, breadth, draught, count):
+    circle = spheroid_sections(length, 2.0, count)
+    return wet.Sections(circle.x_m, circle.points_m * [breadth / 2, draught])
+
+
+def test_the_ellipsoids_formula_has_the_spheroid_and_the_disc_as_limits():
+    strips = 0.5 * np.pi * 1025.0 * 10.0**2 * 200.0 * 2.0 / 3.0
+    assert ellipsoid_heave(200.0, 20.0, 10.0) / strips == pytest.approx(sliding_factors(10, 1)[0], rel=1e-6)
+    assert ellipsoid_heave(200.0, 20.0, 0.01) / strips == pytest.approx(1.0 / ellipe(1.0 - 0.01), rel=2e-3)
+
+
+@pytest.mark.parametrize("draught", [1.5, 4.0, 10.0, 15.0])
+def test_flat_and_deep_ellipsoids_heave(draught):
+    length, breadth = 160.0, 20.0
+    exact = ellipsoid_heave(length, breadth, draught)
+    sections = ellipsoid_sections(length, breadth, draught, 49)
+    panels = wet.PanelFlow(wet.Panels.from_sections(sections, girthwise=12), neutral_axis_m=0.0)
+    motions = UniformMotions(length, 1)
+    assert panels.added_mass(motions).matrix[0, 0] == pytest.approx(exact, rel=0.01)
+    # a semicircle of the same dipole stands for the section: 1 per cent, where one of the same breadth leaves 3
+    assert wet.StripFlow(sections).added_mass(motions).matrix[0, 0] == pytest.approx(exact, rel=0.012)
+    same_breadth = wet.StripFlow(sections, lengthwise="lewis").added_mass(motions).matrix[0, 0]
+    if draught == 1.5:
+        assert same_breadth < 0.97 * exact

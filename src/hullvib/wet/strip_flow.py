@@ -34,8 +34,10 @@ class StripFlow:
     per length itself, (n,) in kg/m; lengthwise, the correction for the flow along the hull:
 
     - "spheroid": A_jk = sum_n J_n <sqrt(m) w_j, e_n> <sqrt(m) w_k, e_n> with the sliding spheroid's factors and
-      e_n its orthonormal sqrt(1 - mu^2) P_n'(mu) over the wetted length; exact for the sliding spheroid. Its breadth is
-      that of a semicircle with the largest m, sqrt(8 m / (rho pi)).
+      e_n its orthonormal sqrt(1 - mu^2) P_n'(mu) over the wetted length; exact for the sliding spheroid. Far from a
+      section its flow is a dipole of the strength (m + rho S) / rho, S being the immersed area, and that is what one
+      section feels of the others: the spheroid's breadth is that of the semicircle with the largest, for which both
+      terms are equal, sqrt(4 (m + rho S) / (rho pi)).
     - "lewis", "taylor", "townsin": sqrt(J_j J_k) on each product, with the factors of a spheroid of the hull's length
       and breadth that slides or turns, or R. L. Townsin's J = 1.02 - 3 (1.2 - 1/n) B / L for n nodes (Trans. RINA 111
       (1969); heave and pitch after Lewis).
@@ -115,7 +117,8 @@ class StripFlow:
         """Force per length and unit acceleration of each motion at the rule's points, (n, points)."""
         x, weights, strips = self._rule
         length = self.sections.length_m
-        equal = float(np.sqrt(8.0 * strips.max() / (self.density_kg_m3 * np.pi)))
+        displaced = self.density_kg_m3 * np.interp(x, self.sections.x_m, self.sections.area_m2)
+        equal = float(np.sqrt(4.0 * (strips + displaced).max() / (self.density_kg_m3 * np.pi)))
         mu = 2.0 * (x - self.sections.x_m[0]) / length - 1.0
         loads = np.sqrt(strips)
         forces = np.zeros_like(shapes)
