@@ -19,9 +19,9 @@ Array = NDArray[np.float64]
 LENGTHWISE = 46
 GIRTHWISE = 11
 CURVE_POINTS = 65
-# Places a section apart at which the keel is looked at, and halvings that find where it leaves the water.
+# Places a section apart at which the keel is looked at, and rounds of so many parts that find where it leaves the water.
 _LOOKS = 4
-_HALVINGS = 50
+_ROUNDS, _PARTS = 5, 16
 
 
 def wetted_sections(hull: Hull, waterline: Waterline, count: int = LENGTHWISE + 1) -> Sections:
@@ -59,12 +59,10 @@ def _wet_stretch(hull: Hull, waterline: Waterline) -> tuple[float, float]:
 
 
 def _leaves_water(hull: Hull, waterline: Waterline, wet: float, dry: float) -> float:
-    for _ in range(_HALVINGS):
-        middle = 0.5 * (wet + dry)
-        if _keel_depths(hull, waterline, np.array([middle]))[0] > 0.0:
-            wet = middle
-        else:
-            dry = middle
+    for _ in range(_ROUNDS):
+        places = np.linspace(wet, dry, _PARTS + 1)
+        first_dry = int(np.argmax(_keel_depths(hull, waterline, places)[1:] <= 0.0)) + 1
+        wet, dry = float(places[first_dry - 1]), float(places[first_dry])
     return wet
 
 

@@ -45,9 +45,7 @@ def test_wet_frequencies(name, sections, lengthwise, shear):
     error = np.abs(own.modes.angular_frequencies / theirs.modes.angular_frequencies - 1.0)
     assert error.max() < 1e-3
     assert theirs.modes.method["flow"] == "capytaine"
-    np.testing.assert_allclose(
-        own.added_mass.matrix, theirs.added_mass.matrix, atol=4e-3 * own.added_mass.matrix.max()
-    )
+    np.testing.assert_allclose(own.added_mass.matrix, theirs.added_mass.matrix, atol=4e-3 * own.added_mass.matrix.max())
 
 
 def test_its_absence_is_told(monkeypatch):

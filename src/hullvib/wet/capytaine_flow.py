@@ -75,7 +75,7 @@ class CapytaineFlow:
         ]
         results = solver.solve_all(problems, keep_details=False, progress_bar=False)
         raw = np.array([[result.added_masses[key] for key in dofs] for result in results], dtype=np.float64)
-        record = {"flow": "capytaine", "panels": int(mesh.nb_faces)}
+        record: dict[str, object] = {"flow": "capytaine", "panels": int(mesh.nb_faces)}
         return added_mass_of(raw, np.array(self.panels.extent_m), np.full((len(raw), 1), np.nan), record)
 
     def hydrostatic_stiffness(self, motions: Motions) -> Array:

@@ -70,7 +70,9 @@ class PanelFlow:
         potentials = lu_solve(factors, source @ speeds.T, check_finite=False)
         raw = -2.0 * self.density_kg_m3 * (speeds * g.areas) @ potentials
         pressures = -2.0 * self.density_kg_m3 * potentials.T * (g.normals[:, 2] * g.areas)
-        record = {"flow": "panels", "panels": 2 * len(self.panels), "depth_m": self.depth_m}
+        record: dict[str, object] = {"flow": "panels", "panels": 2 * len(self.panels)}
+        if np.isfinite(self.depth_m):
+            record["depth_m"] = self.depth_m
         return added_mass_of(raw, *spread(self.panels, pressures), record)
 
     def hydrostatic_stiffness(self, motions: Motions) -> Array:
