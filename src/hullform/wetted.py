@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 LENGTHWISE = 46
 GIRTHWISE = 11
 CURVE_POINTS = 65
-# Places a section apart at which the keel is looked at, and rounds of so many parts that find where it leaves the water.
+# Places between sections at which the keel is looked at; rounds, of so many parts, that find where it leaves the water.
 _LOOKS = 4
 _ROUNDS, _PARTS = 5, 16
 

@@ -13,7 +13,6 @@ from floating_bodies import (
     spheroid_sections,
     uniform_girder,
 )
-
 from scipy.integrate import quad
 from scipy.special import ellipe
 

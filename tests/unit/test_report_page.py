@@ -101,7 +101,8 @@ def test_report_and_figures_are_written(run: Run, tmp_path: Path) -> None:
     assert names == {
         "overlay.jpg", "body-plan-fit.svg", "sectional-areas.svg", "hull.png", "mass.svg", "structure.svg",
         "midship-section.svg",
-        "modes-loaded.svg", "modes-light-ship.svg", "added-mass-loaded.svg", "added-mass-light-ship.svg", "modes-with-shear.svg", "convergence.svg",
+        "modes-loaded.svg", "modes-light-ship.svg",
+        "added-mass-loaded.svg", "added-mass-light-ship.svg", "modes-with-shear.svg", "convergence.svg",
             "still-water-loaded.svg", "still-water-light-ship.svg",
     }  # fmt: skip
     # the limit that the design sets for a page that is mailed about

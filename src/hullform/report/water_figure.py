@@ -41,7 +41,7 @@ def added_mass_figure(condition: ConditionRun) -> Picture:
     return as_svg(
         figure,
         f"added-mass-{condition.condition.name}",
-        f"Added mass along the ship, {title}: the water's vertical force over the acceleration of the hull there, in each "
+        f"Added mass along the ship, {title}: the water's vertical force over the hull's acceleration there, in each "
         "mode with shear; left out where the mode hardly moves, about its nodes. It falls as the waves of the mode "
         "shorten.",
         f"Added mass per length of modes 1 to 3 along the ship, {title}, below that of her sections in two dimensions.",
