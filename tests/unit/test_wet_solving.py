@@ -134,6 +134,10 @@ def test_forces_along_the_hull_do_the_work_of_the_added_mass():
 
 def test_panels_force_along_the_hull_adds_up():
     found = wet.solve(GIRDER, spheroid_flow())
+    along = found.added_mass_per_length()[:3]
+    # a ship that is the same fore and aft
+    np.testing.assert_allclose(along, along[:, ::-1], rtol=1e-3)
+    assert (along[~np.isnan(along)] > 0.0).all()
     heave = found.added_mass.force_kg_per_m[0] @ np.diff(found.added_mass.edges_m)
     assert heave == pytest.approx(found.added_mass.matrix[0, 0], rel=1e-3)
 

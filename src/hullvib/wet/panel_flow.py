@@ -31,7 +31,8 @@ from hullvib.wet.panels import Panels
 
 Array = NDArray[np.float64]
 
-_CELLS = 80  # along the hull, in which forces per length are given
+_CELLS = 40  # along the hull, in which forces per length are given where the panels stand in no rows
+_FEWEST_IN_A_ROW = 4  # panels between two cross-sections that make a row
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,11 +114,15 @@ def waterplane_stiffness(panels: Panels, motions: Motions, weight_density: float
 def spread(panels: Panels, forces: Array) -> tuple[Array, Array]:
     """Forces of the panels (n, m) as forces per length (n, cells) in cells along the hull, and the cells' edges.
 
-    Each panel's is spread evenly over its extent in x: gathered at the centres they would come in bursts.
+    Each panel's is spread evenly over its extent in x: gathered at the centres they would come in bursts. Cells are the
+    rows of panels between cross-sections, where they stand in rows, else of equal length.
     """
     x = panels.geometry.corners[..., 0]
     first, last = x.min(axis=1), x.max(axis=1)
-    edges = np.linspace(first.min(), last.max(), _CELLS + 1)
+    places = np.unique(np.concatenate([first, last]))
+    edges = places[np.append(True, np.diff(places) > 1e-6 * (places[-1] - places[0]))]
+    if _FEWEST_IN_A_ROW * len(edges) > len(panels):
+        edges = np.linspace(places[0], places[-1], _CELLS + 1)
     width = np.maximum(last - first, 1e-12 * (edges[-1] - edges[0]))
     below = np.clip((edges[:, None] - first) / width, 0.0, 1.0)
     below[0], below[-1] = 0.0, 1.0

@@ -73,7 +73,8 @@ class WetModes:
         Where the deflection is below `least` of the largest, near the nodes, it means nothing and is NaN.
         """
         edges = self.added_mass.edges_m
-        shapes = self.modes.shape(0.5 * (edges[1:] + edges[:-1]).clip(0.0, self.modes.girder.length))
+        middle = 0.5 * (edges[1:] + edges[:-1])
+        shapes = self.modes.shape(np.clip(middle, 0.0, self.modes.girder.length))
         small = np.abs(shapes) < least
         return np.where(small, np.nan, self.force_kg_per_m / np.where(small, 1.0, shapes))
 
