@@ -87,7 +87,10 @@ def put_in_water(
         for water in (flow, strips)
         for method in (plain, sheared)
     )
-    held = [found.modes.angular_frequencies[:HELD_AGAINST_STRIPS] for found in (strips_shear, shear)]
+    by_strips, by_panels = (
+        {"Euler-Bernoulli": _first(plain_modes), "with shear": _first(sheared_modes)}
+        for plain_modes, sheared_modes in ((strips_euler, strips_shear), (euler, shear))
+    )
     return InWater(
         panels=panels,
         flow=flow,
@@ -97,5 +100,9 @@ def put_in_water(
         strips_euler=strips_euler,
         strips_shear=strips_shear,
         effective_factors=shear.effective_factors(strips),
-        checks=(check_panel_volume(panels.volume_m3, position.volume_m3), check_strips(*held)),
+        checks=(check_panel_volume(panels.volume_m3, position.volume_m3), check_strips(by_strips, by_panels)),
     )
+
+
+def _first(found: wet.WetModes) -> Array:
+    return found.modes.angular_frequencies[:HELD_AGAINST_STRIPS]

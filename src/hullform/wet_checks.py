@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from hullform.checks import DISPLACEMENT_LIMIT_PERCENT, Check, deviation
-from hullform.rounding import significant
 
 # Flat panels lie within a curved hull: half a per cent, and less where she is full.
 PANEL_VOLUME_LIMIT_PERCENT = DISPLACEMENT_LIMIT_PERCENT
@@ -26,16 +27,25 @@ def check_panel_volume(panels_m3: float, displaced_m3: float) -> Check:
     )
 
 
-def check_strips(strips_rad_s: ArrayLike, panels_rad_s: ArrayLike) -> Check:
-    """Wet frequencies with the added mass by strips against those by panels: the mode that differs most."""
-    difference = 100 * (np.asarray(strips_rad_s, dtype=float) / np.asarray(panels_rad_s, dtype=float) - 1)
-    mode = int(np.abs(difference).argmax())
+def check_strips(by_strips_rad_s: Mapping[str, ArrayLike], by_panels_rad_s: Mapping[str, ArrayLike]) -> Check:
+    """Wet frequencies with the added mass by strips against those by panels: the mode that differs most.
+
+    Args:
+        by_strips_rad_s: first modes of each girder, by a name for it.
+        by_panels_rad_s: the same girders' and modes'.
+    """
+    worst, girder, mode = 0.0, "", 0
+    for name, strips in by_strips_rad_s.items():
+        difference = 100 * (np.asarray(strips, dtype=float) / np.asarray(by_panels_rad_s[name], dtype=float) - 1)
+        place = int(np.abs(difference).argmax())
+        if abs(float(difference[place])) > abs(worst):
+            worst, girder, mode = float(difference[place]), name, place + 1
     return deviation(
         "wet-strips",
-        f"wet frequency of mode {mode + 1} with the added mass by strips against that by panels",
-        float(difference[mode]),
+        f"wet frequency of mode {mode}, {girder}, with the added mass by strips against that by panels",
+        worst,
         STRIPS_LIMIT_PERCENT,
         "%",
-        f"the panels' figure stands; where her form is so blunt or so flat that strips miss it by "
-        f"{significant(abs(float(difference[mode])), 2)} %, take that for its uncertainty, and look at the wetted hull",
+        "the panels' figures stand; strips miss hulls with blunt ends or very flat sections: look at the wetted hull, and "
+        "take the difference for the uncertainty of the added mass",
     )

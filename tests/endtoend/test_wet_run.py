@@ -55,17 +55,23 @@ def test_panels_hold_the_displaced_volume(finished_run: Runs, ship: str, conditi
 
 
 @pytest.mark.parametrize(("ship", "condition"), CONDITIONS)
-def test_strips_and_panels_agree_to_three_per_cent(finished_run: Runs, ship: str, condition: str) -> None:
+def test_strips_and_panels_agree_to_three_per_cent_or_the_run_says_so(
+    finished_run: Runs, ship: str, condition: str
+) -> None:
     found = of(finished_run, ship, condition)
-    for girder in ("euler", "shear"):
-        strips, panels = np.array(found["in_water"]["strips_rad_s"][girder]), np.array(found["wet_rad_s"][girder])
-        limit = 0.03 if (ship, condition, girder) != ("ds-tanker", "loaded", "euler") else 0.045
-        # strips miss the blunt ends of the full tanker, and her stiff girder feels them
-        assert np.abs(strips / panels - 1).max() < limit
+    differences = {
+        girder: np.array(found["in_water"]["strips_rad_s"][girder][:3]) / np.array(found["wet_rad_s"][girder][:3]) - 1
+        for girder in ("euler", "shear")
+    }
+    # the headline holds on every ship; the full tanker's blunt ends cost the stiffer girder 4.2 per cent
+    assert np.abs(differences["shear"]).max() < 0.03
+    largest = max(np.concatenate(list(differences.values())), key=abs)
     check = next(check for check in found["checks"] if check["id"] == "wet-strips")
-    assert check["ok"]
-    shown = np.array(found["in_water"]["strips_rad_s"]["shear"][:3]) / np.array(found["wet_rad_s"]["shear"][:3]) - 1
-    assert check["value"] == pytest.approx(100 * shown[np.abs(shown).argmax()])
+    assert check["value"] == pytest.approx(100 * largest)
+    assert check["ok"] == (abs(largest) <= 0.03) == ((ship, condition) != ("ds-tanker", "loaded"))
+    if not check["ok"]:
+        assert abs(largest) < 0.045
+        assert any("by strips against that by panels: " in doubt for doubt in found["doubts"])
 
 
 @pytest.mark.parametrize(("ship", "condition"), CONDITIONS)

@@ -11,7 +11,18 @@ from floating_bodies import (
     uniform_girder,
 )
 
-from hullvib import FiniteElements, Girder, Ritz, StodolaRitz, TimoshenkoElements, TimoshenkoRitz, mac, solve, wet
+from hullvib import (
+    FiniteElements,
+    Girder,
+    Ritz,
+    StodolaRitz,
+    TimoshenkoElements,
+    TimoshenkoRitz,
+    mac,
+    orthogonality,
+    solve,
+    wet,
+)
 from hullvib.errors import ArgumentError
 
 LENGTH, BREADTH, DRAUGHT = 200.0, 20.0, 8.0
@@ -201,6 +212,10 @@ def test_wet_modes_are_held_against_dry_ones():
 
 
 class TestRefusals:
+    def test_orthogonality_without_the_water(self):
+        with pytest.raises(ArgumentError, match="the modes are wet"):
+            orthogonality(wet.solve(GIRDER, strips()).modes)
+
     def test_more_modes_than_functions(self):
         with pytest.raises(ArgumentError, match="6 wet modes were asked of 5"):
             wet.solve(GIRDER, strips(), modes=6, functions=5)
