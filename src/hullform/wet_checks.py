@@ -46,6 +46,6 @@ def check_strips(by_strips_rad_s: Mapping[str, ArrayLike], by_panels_rad_s: Mapp
         worst,
         STRIPS_LIMIT_PERCENT,
         "%",
-        "the panels' figures stand; strips miss blunt ends and very flat sections: look at the wetted hull, and take the "
+        "the panels' figures stand; strips miss blunt ends and flat sections: look at the wetted hull, and take the "
         "difference for the uncertainty of the added mass",
     )
