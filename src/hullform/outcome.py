@@ -16,6 +16,7 @@ from hullform.empirical_figures import EmpiricalFigures
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.hull.loft import Hull
 from hullform.in_service import InService
+from hullform.in_water import InWater
 from hullform.loading.distributions import Distribution
 from hullform.loading.structure import Structure
 from hullform.loading.weights import LightShip
@@ -54,11 +55,6 @@ class Distortion:
     correlation: distortion.SpatialCorrelation
 
 
-def headline(solutions: Mapping[str, Modes]) -> Modes:
-    """The solution whose figures are quoted: with shear deflection."""
-    return solutions["shear"]
-
-
 @dataclass(frozen=True, eq=False)
 class ConditionRun:
     """One loading condition, from its weights to its modes.
@@ -73,6 +69,7 @@ class ConditionRun:
         checks: what holds and what does not.
         solutions: dry modes, by name: of the Euler-Bernoulli girder 'stodola_ritz', 'ritz', 'ritz_elastic_only' (the
             paper's basis) and 'finite_element'; with shear deflection 'shear'; with rotary inertia too 'timoshenko'.
+        in_water: wet modes, at her own draughts.
         bracket: proven bounds of the Euler-Bernoulli frequencies, or in words why there are none.
         convergence_rad_s: number of Ritz functions to the first frequencies, with the rigid-body functions.
         elastic_only_convergence_rad_s: the same in the paper's basis.
@@ -87,6 +84,7 @@ class ConditionRun:
     at_rest: AtRest
     checks: tuple[Check, ...]
     solutions: Mapping[str, Modes]
+    in_water: InWater
     bracket: Bracket | str
     convergence_rad_s: Mapping[int, Array]
     elastic_only_convergence_rad_s: Mapping[int, Array]
@@ -100,8 +98,13 @@ class ConditionRun:
 
     @property
     def modes(self) -> Modes:
-        """The headline."""
-        return headline(self.solutions)
+        """The headline: in water, with shear deflection."""
+        return self.in_water.shear.modes
+
+    @property
+    def dry_modes(self) -> Modes:
+        """The same girder dry, with shear deflection."""
+        return self.solutions["shear"]
 
     @property
     def euler_modes(self) -> Modes:

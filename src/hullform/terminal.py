@@ -14,19 +14,19 @@ SHOWN = 3
 def summary(run: Run) -> str:
     """A table of conditions with mass, even-keel draught and the first modes; a star marks those in doubt.
 
-    Frequencies are the headline, with shear deflection; the last column is the Euler-Bernoulli girder's.
+    Frequencies are the headline, in water and with shear deflection; the last column is the same girder's, dry.
     """
     of_ship = run.ship.particulars
     lines = [
         f"{of_ship.name}: LOA {of_ship.length_overall_m:g} m, LPP {of_ship.length_between_perpendiculars_m:g} m, "
         f"B {of_ship.breadth_m:g} m, D {of_ship.depth_m:g} m, T {of_ship.draught_m:g} m",
-        "Vertical bending, dry girder with shear deflection; the water is not in these figures.",
+        "Vertical bending in deep water at rest, girder with shear deflection; the last column is dry.",
         "",
         f"{'condition':<14}{'mass, t':>9}{'draught, m':>12}{'mode':>6}{'nodes':>7}"
-        f"{'Hz':>10}{'cycles/min':>12}{'rad/s':>10}{'Euler, Hz':>11}",
+        f"{'Hz':>10}{'cycles/min':>12}{'rad/s':>10}{'dry, Hz':>11}",
     ]
     for name, condition in run.conditions.items():
-        modes, euler = condition.modes, condition.solutions["stodola_ritz"]
+        modes, dry = condition.modes, condition.dry_modes
         star = "" if all(check.ok for check in (*run.checks, *condition.checks)) else " *"
         first = f"{name + star:<14}{condition.mass_kg / 1e3:>9.0f}{condition.floating.draught_m:>12.2f}"
         for mode in range(SHOWN):
@@ -35,7 +35,7 @@ def summary(run: Run) -> str:
                 f"{significant(modes.frequencies_hz[mode]):>10}"
                 f"{significant(modes.cycles_per_minute[mode]):>12}"
                 f"{significant(modes.angular_frequencies[mode]):>10}"
-                f"{significant(euler.frequencies_hz[mode]):>11}"
+                f"{significant(dry.frequencies_hz[mode]):>11}"
             )
     lines += ["", *_ratios(run)]
     lines += _shaft_speeds(run)

@@ -6,7 +6,7 @@
 [5.0358, 13.8813, 27.2128, 44.9842, 67.1986]
 """
 
-from hullvib import distortion, empirical, engine, errors, real_ships, resonance, sensitivity, springing
+from hullvib import distortion, empirical, engine, errors, real_ships, resonance, sensitivity, springing, wet
 from hullvib.bounds import Bracket, bracket
 from hullvib.correlation import Orthogonality, mac, orthogonality
 from hullvib.distortion import ritz_convergence
@@ -77,6 +77,7 @@ __all__ = [
     "solve",
     "solve_many",
     "springing",
+    "wet",
     "write_girder",
     "write_modes",
 ]

@@ -13,7 +13,7 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from hullform import checks, rest_checks
+from hullform import checks, rest_checks, wet_checks
 from hullform.body_plan import BodyPlan, Station, TracedCurve
 from hullform.in_service import in_service as hold_in_service
 from hullform.loading.structure import structure_of
@@ -104,7 +104,8 @@ def test_report_and_figures_are_written(run: Run, tmp_path: Path) -> None:
     assert names == {
         "overlay.jpg", "body-plan-fit.svg", "sectional-areas.svg", "hull.png", "mass.svg", "structure.svg",
         "midship-section.svg",
-        "modes-loaded.svg", "modes-light-ship.svg", "modes-with-shear.svg", "convergence.svg",
+        "modes-loaded.svg", "modes-light-ship.svg",
+        "added-mass-loaded.svg", "added-mass-light-ship.svg", "modes-with-shear.svg", "convergence.svg",
             "still-water-loaded.svg", "still-water-light-ship.svg",
     }  # fmt: skip
     # the limit that the design sets for a page that is mailed about
@@ -145,17 +146,41 @@ def test_first_screen_has_each_frequency_to_three_figures(run: Run, page: str) -
             assert f"{significant(condition.modes.cycles_per_minute[mode])} cycles/min" in start
 
 
-def test_first_screen_is_of_the_girder_with_shear_and_sets_euler_bernoulli_beside_it(run: Run, page: str) -> None:
-    start = page[page.index('id="summary"') : page.index('id="picture"')]
-    assert "dry hull girder with shear deflection" in start
+def test_first_screen_is_of_the_girder_in_water_with_shear_and_sets_the_dry_one_beside_it(run: Run, page: str) -> None:
+    start = " ".join(page[page.index('id="summary"') : page.index('id="picture"')].split())
+    assert "girder with shear deflection, <strong>in water</strong>" in start
     for condition in run.conditions.values():
-        assert condition.modes.theory == "shear-flexible"
-        euler = condition.solutions["stodola_ritz"]
-        assert euler.theory == condition.euler_modes.theory == "Euler-Bernoulli"
+        assert (condition.modes.medium, condition.modes.theory) == ("wet", "shear-flexible")
+        assert (condition.dry_modes.medium, condition.dry_modes.theory) == ("dry", "shear-flexible")
         for mode in range(3):
-            lower = 100 * (1 - condition.modes.frequencies_hz[mode] / euler.frequencies_hz[mode])
-            words = f"{significant(lower, 2)} % below Euler–Bernoulli’s {significant(euler.frequencies_hz[mode])} Hz"
-            assert words in start
+            dry, hz = condition.dry_modes.frequencies_hz[mode], condition.modes.frequencies_hz[mode]
+            assert f"dry {significant(dry)} Hz · wet over dry {significant(hz / dry)}" in start
+
+
+def test_wet_modes_are_tabled_with_what_the_water_does(run: Run, page: str) -> None:
+    table = page[page.index('id="in-water"') :]
+    table = table[: table.index("</table>")]
+    for condition in run.conditions.values():
+        water = condition.in_water
+        for mode in range(3):
+            hz = condition.modes.frequencies_hz[mode]
+            share = water.shear.generalised_added_mass[mode] / water.shear.generalised_mass[mode]
+            strips = per_cent(water.strips_shear.modes.frequencies_hz[mode], hz)
+            assert (
+                f"<td>{significant(water.euler.modes.frequencies_hz[mode])}</td>\n<td><strong>{significant(hz)}</strong>"
+                in table
+            )
+            assert f"<td>{significant(share)}</td>\n<td>{significant(water.effective_factors[mode])}</td>" in table
+            assert f"<td>{strips}</td></tr>" in table
+
+
+def test_empirical_formulas_are_held_against_the_wet_figures(run: Run, page: str) -> None:
+    section = page[page.index('id="empirical"') : page.index('id="table-2"')]
+    for condition in run.conditions.values():
+        kumai, wet = condition.empirical.figures_rad_s["kumai"], condition.modes.angular_frequencies
+        for mode in range(3):
+            assert f"<td>{significant(kumai[mode] / (2 * np.pi))} ({per_cent(kumai[mode], wet[mode])})</td>" in section
+            assert f"<td><strong>{significant(wet[mode] / (2 * np.pi))}</strong></td>" in section
 
 
 def test_three_beams_stand_side_by_side(run: Run, page: str) -> None:
@@ -166,7 +191,7 @@ def test_three_beams_stand_side_by_side(run: Run, page: str) -> None:
     for condition in run.conditions.values():
         euler, timoshenko = (condition.solutions[name].frequencies_hz for name in ("stodola_ritz", "timoshenko"))
         for mode in range(3):
-            shear = condition.modes.frequencies_hz[mode]
+            shear = condition.dry_modes.frequencies_hz[mode]
             row = (
                 f"<td>{significant(euler[mode])}</td>\n<td><strong>{significant(shear)}</strong></td>"
                 f"<td>{per_cent(shear, euler[mode])}</td><td>{significant(timoshenko[mode])}</td>\n"
@@ -242,7 +267,7 @@ def test_the_midship_section_is_drawn_and_listed_with_its_thicknesses(run: Run, 
 
 
 def test_every_check_has_a_label_of_its_own() -> None:
-    source = inspect.getsource(checks) + inspect.getsource(rest_checks)
+    source = "".join(inspect.getsource(module) for module in (checks, rest_checks, wet_checks))
     ids = set(re.findall(r'(?:within|deviation|Check)\(\s*"([a-z-]+)"', source))
     assert len(ids) > 8
     assert ids == set(CHECK_LABELS)

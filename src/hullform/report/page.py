@@ -25,6 +25,7 @@ from hullform.report.published import FUNCTIONS
 from hullform.report.resonance_figures import resonance_figure, response_figure
 from hullform.report.springing_figure import springing_figure
 from hullform.report.still_water_figure import still_water_figure
+from hullform.report.water_figure import added_mass_figure
 from hullform.report.wording import (
     ceiling,
     load_words,
@@ -60,6 +61,8 @@ CHECK_LABELS = {
     "equivalent-thickness": "Midship second moment, given over modelled",
     "hatch-openings": "Hatch openings of a container ship over her breadth",
     "steel-estimate": "Numeral within those behind the estimated steel weight",
+    "panel-volume": "Volume within the panels of the wetted hull",
+    "wet-strips": "Wet frequencies by strips against panels, the mode that differs most",
     "mesh-volume": "Volume of the mesh against the sections",
     "first-frequency": "First frequency, as of hulls of her length",
     "three-node-ratio": "3-node over 2-node frequency, as of ships",
@@ -101,6 +104,7 @@ def draw_pictures(run: Run) -> dict[str, Picture]:
             girder_figures.structure_figure(run),
             midship_figure.midship_figure(run),
             *(girder_figures.modes_figure(condition) for condition in run.conditions.values()),
+            *(added_mass_figure(condition) for condition in run.conditions.values()),
             girder_figures.headline_modes_figure(run),
             girder_figures.convergence_figure(run),
             *_of_service(run),
