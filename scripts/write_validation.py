@@ -39,7 +39,8 @@ Why they lie outside. Of the paper's two ships no more is known than I at midshi
 of a bare closed shell, multiplied by the factor of I as if the sides were as much thicker as deck and bottom. Real
 sides are thinner than that: the change of kGA that brings the 4-node ratio to the limit lies within the 30 % that a
 run takes for the uncertainty of the shear rigidity. Nothing was changed for it; an engineer who knows the section gives
-`midship_shear_area_m2` or the plates. Wigley's hull is no ship in this respect: a bare shell of 16 mm, very slender
+`midship_shear_area_m2` or the plates. The two ships whose plates are given bear that out: they lie within the band, or
+on its lower edge. Wigley's hull is no ship in this respect: a bare shell of 16 mm, very slender
 for her depth, in which shear has hardly a part, with light ends. No likely shear area brings her into the band, nor
 do the ends: she is shown because her form is exact.
 """
