@@ -177,6 +177,10 @@ def test_wet_modes_are_tabled_with_what_the_water_does(run: Run, page: str) -> N
 def test_empirical_formulas_are_held_against_the_wet_figures(run: Run, page: str) -> None:
     section = page[page.index('id="empirical"') : page.index('id="table-2"')]
     for condition in run.conditions.values():
+        water = condition.in_water.shear
+        assert f"<td>{significant(1 + water.generalised_added_mass[0] / water.generalised_mass[0])}</td>" in section
+        todd = 1.2 + 32.2 / (3 * condition.floating.draught_m)
+        assert f"<td>{significant(todd)}</td>" in section
         kumai, wet = condition.empirical.figures_rad_s["kumai"], condition.modes.angular_frequencies
         for mode in range(3):
             assert f"<td>{significant(kumai[mode] / (2 * np.pi))} ({per_cent(kumai[mode], wet[mode])})</td>" in section
