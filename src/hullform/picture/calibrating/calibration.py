@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 OFF_CENTRE = 0.06  # of the horizontal lines' length: how far the centre line may lie from their middle
 WHOLE_LINE = 0.75  # of the longest horizontal line: shorter ones may belong to one half
 BOTH_SIDES = 0.35  # of a horizontal line's length that must lie on either side of the centre line
+PAST_CENTRE = 0.05  # of the centre line's length: how far below its end the base line may lie, where a gap ends it
 LARGEST_AFFINE_RESIDUAL_PX = 0.6  # of the crossings of a flat scan
 FEWEST_LINES = 4  # of each family, for a homography
 LEAST_CONVERGENCE = 0.0008  # change of slope over a family: less is how lines are pulled by curves on them
@@ -206,12 +207,18 @@ def _base_line(
     breadth_m: float,
     skew: float,
 ) -> StraightLine | None:
-    """The lowest bold line of those with a whole depth of drawing above them; the lowest line where none is bold."""
+    """The lowest bold line of those with a whole depth of drawing above them; the lowest line where none is bold.
+
+    The centre line reaches it: the border of a sheet or of its title block lies lower.
+    """
     wide = []
     for line in horizontal:
         u = float(crossing(centre, line)[0]) if centre is not None else float(u0 or 0.0)
         if min(u - line.start, line.end - u) >= BOTH_SIDES * line.length:
             wide.append((line, u))
+    if centre is not None:
+        foot = centre.end + PAST_CENTRE * centre.length
+        wide = [(line, u) for line, u in wide if float(line.at(u)) < foot] or wide
     if not wide:
         return None
     lowest, u = max(wide, key=lambda pair: float(pair[0].at(pair[1])))

@@ -30,6 +30,7 @@ PULLED_PX = 2.5  # of its place
 LARGEST_CONVERGENCE = 0.06  # change of slope of a family across the picture, where a camera leaned
 CONVERGENCE_STEP = 0.002  # between the slopes at which such a family is looked for
 CONVERGENCE_GAIN = 0.8  # lines more, that a convergent family must hold to be believed
+SAME_LINE, SAME_LINE_PX = 1.2, 1.5  # widths and px more between two axes, up to which they are those of one line
 MUCH_LONGER = 1.5  # than a neighbour: a line across both halves beside one of a single half
 BORDER_TOLERANCE = 0.015  # of the picture's width: how nearly the lines of a border meet
 FEWEST_INSIDE = 3  # upright lines, beside which two longer ones may be a border
@@ -359,7 +360,9 @@ def _one_each(lines: list[StraightLine], nearest: float) -> list[StraightLine]:
     kept: list[StraightLine] = []
     for line in sorted(lines, key=lambda x: float(x.at((x.start + x.end) / 2))):
         t = (line.start + line.end) / 2
-        if kept and abs(float(line.at(t)) - float(kept[-1].at(t))) < nearest:
+        # two lines with paper between them are two, however near
+        apart = min(nearest, SAME_LINE * (line.width + kept[-1].width) / 2 + SAME_LINE_PX) if kept else 0.0
+        if kept and abs(float(line.at(t)) - float(kept[-1].at(t))) < apart:
             # a flat of bottom is bolder than the waterline beside it, but ends at the centre line
             longer = line.length / kept[-1].length
             bolder = line.weight * line.length > kept[-1].weight * kept[-1].length
