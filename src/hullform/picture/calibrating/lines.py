@@ -35,6 +35,7 @@ MUCH_LONGER = 1.5  # than a neighbour: a line across both halves beside one of a
 BORDER_TOLERANCE = 0.015  # of the picture's width: how nearly the lines of a border meet
 FEWEST_INSIDE = 3  # upright lines, beside which two longer ones may be a border
 BORDER_LONGER = 1.03  # than any other line of its family
+LEAST_DRAWN = 30.0  # percentile
 VERTICAL, HORIZONTAL, BOLD = 1, 2, 4  # bits of the mask
 FAINT_LINE = 0.6  # ink of a line's axis: through a fainter one the curves that cross it can be seen
 
@@ -314,7 +315,9 @@ def refine_line(
         return None
     on_line = np.zeros_like(present)
     on_line[run[0] : run[1]] = True
-    profile = _unimodal(np.median(section[present & on_line], axis=0), middle)
+    # stations run along a ship's side for a part of its height: its own ink is where least is drawn
+    usual = LEAST_DRAWN if vertical else 50.0
+    profile = _unimodal(np.percentile(section[present & on_line], usual, axis=0), middle)
     width = 0.5 * float(np.sum(profile > 0.4 * profile.max()))
     return StraightLine(vertical, offset, slope, float(t[run[0]]), float(t[run[1] - 1]), width, reach, profile)
 

@@ -23,6 +23,8 @@ COST_OF_END_ON_PAPER = 110.0  # ends below the deck where no ink goes on
 COST_OF_END_ON_INK = 1200.0  # more, for ink ahead
 COST_AT_SIDE = 12.0  # ends in the line of B/2, which goes on to the deck
 GAIN_OF_SIDE = 25.0  # ends where it joins the line of B/2, of which it is a part from there on
+GAIN_OF_FLAT = 25.0  # begins where it leaves the base line, of which it is a part up to there
+LEAST_FLAT = 0.5  # of B/2
 STEEPEST = 2.2  # db/da of a curve: tumblehome of 20 degrees
 CLOSE_TO_SIDE = 0.975  # of B/2: the mask of the line of B/2 hides the rest of a bilge of small radius
 BENDING_UP = 0.5  # db/da of a curve that has begun to rise, by 18 degrees
@@ -62,11 +64,16 @@ def _end_fit(column: Indices, row: Array, last: bool) -> tuple[float, float]:
 
 
 def entry_cost(first: Ends, mask: Mask, frame: DiagonalFrame, scale: float) -> Array:
-    """Little at the centre line and the base line, then by the distance from them."""
+    """Little at the centre line and the base line, then by the distance from them.
+
+    A bilge that begins on the base line gains for the flat of bottom that lies on that line unseen.
+    """
     y, z = frame.to_drawing(first.column, first.row)
     away = np.minimum(np.abs(y), np.abs(z))
     reach = np.maximum(REACH_OF_KEEL_PX * scale, _half_of_base(mask, frame) + 0.6 * REACH_OF_KEEL_PX * scale)
-    return np.where(away < reach, 0.3 * away, np.minimum(3 + 4 * (away - reach), DEAREST_ENTRY * scale))
+    cost = np.where(away < reach, 0.3 * away, np.minimum(3 + 4 * (away - reach), DEAREST_ENTRY * scale))
+    on_flat = (y > LEAST_FLAT * frame.half_breadth_px) & (z < reach)
+    return np.where(on_flat, cost - GAIN_OF_FLAT * scale, cost)
 
 
 def _half_of_base(mask: Mask, frame: DiagonalFrame) -> float:
