@@ -29,6 +29,7 @@ LARGEST_PULL = 0.005  # of a line's slope by curves that lie on it
 PULLED_PX = 2.5  # of its place
 LARGEST_CONVERGENCE = 0.06  # change of slope of a family across the picture, where a camera leaned
 CONVERGENCE_STEP = 0.002  # between the slopes at which such a family is looked for
+SHARE_OF_TURNED = 0.5  # of a line's length, that speaks for a parallel family it does not lie in by itself
 CONVERGENCE_GAIN = 0.8  # lines more, that a convergent family must hold to be believed
 SAME_LINE, SAME_LINE_PX = 1.2, 1.5  # widths and px more between two axes, up to which they are those of one line
 MUCH_LONGER = 1.5  # than a neighbour: a line across both halves beside one of a single half
@@ -109,8 +110,12 @@ def find_lines_and_border(ink: Ink) -> tuple[list[StraightLine], list[StraightLi
         convergent = _convergent(_refined(ink, fan, vertical, shrink), mean, width if vertical else height)
         parallel = _one_each(_levelled(ink, parallel, mean), 4 * shrink)
         convergent = _one_each(convergent, 4 * shrink)
-        # pieces of curves and letters speak for neither
-        drawn = [sum(line.length for line in _family(family, 4 * shrink)) for family in (parallel, convergent)]
+        # pieces of curves and letters speak for neither; a line that had to be turned speaks little for parallel ones
+        straight, fanned = (_family(family, 4 * shrink) for family in (parallel, convergent))
+        drawn = [
+            sum(line.length * (1.0 if _turned_little(line, mean) else SHARE_OF_TURNED) for line in straight),
+            sum(line.length for line in fanned),
+        ]
         typical = float(np.median([line.length for line in convergent])) if convergent else 0.0
         families.append(convergent if drawn[1] > drawn[0] + CONVERGENCE_GAIN * typical else parallel)
     horizontal, vertical_ = _without_border(families[0], families[1], width)
@@ -141,6 +146,11 @@ def _levelled(ink: Ink, lines: list[StraightLine], mean: float) -> list[Straight
             if again is not None:
                 out.append(again)
     return out
+
+
+def _turned_little(line: StraightLine, mean: float) -> bool:
+    """Whether a line of a parallel family was found at about its slope, rather than placed along it."""
+    return line.slope != mean and abs(line.slope - mean) < LARGEST_SLOPE_SPREAD / 2
 
 
 def _fan(along: Array, across: Array, mean: float, side: int) -> list[tuple[float, float]]:

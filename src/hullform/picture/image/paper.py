@@ -32,9 +32,7 @@ def beyond_paper(grey: NDArray[np.uint8]) -> NDArray[np.bool_] | None:
     if len(statistics) < 2:
         return None
     largest = 1 + int(np.argmax(statistics[1:, cv2.CC_STAT_AREA]))
-    outlines, _ = cv2.findContours(
-        (labels == largest).astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE
-    )
+    outlines, _ = cv2.findContours((labels == largest).astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
     outline = max(outlines, key=cv2.contourArea)
     hull = cv2.convexHull(outline)
     # figures that stand close together leave holes in the sheet

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from hullform.picture.calibrating.lines import VERTICAL, Mask
 from hullform.picture.image.ink import Ink
-from hullform.picture.pieces.ends import CLOSE_TO_SIDE
+from hullform.picture.pieces.ends import CLOSE_TO_SIDE, LEAST_FLAT, Ends, begins_on_level_line, end_fit
 from hullform.picture.pieces.frame import DiagonalFrame
 from hullform.picture.pieces.sheer import SheerLine
 from hullform.picture.tracing.smoothing import WEIGHT_OF_SHARED, Trace
@@ -69,6 +69,7 @@ def finish(
     if side_top_px is not None:
         side_top_px = _own_top(y, z, size, side_top_px, side_steps_px)
     y, z = _lower_end(y, z, size)
+    y, z = _along_level_line(y, z, trace, hidden, size)
     y, z = _without_level_tail(y, z, size)
     deck_over, reaches = _deck_over(trace, frame, ink, sheer, depth_px)
     y, z = _upper_end(y, z, size, deck_over, reaches, _covered(trace, hidden), side_top_px)
@@ -169,6 +170,16 @@ def _lower_end(y: Array, z: Array, size: float) -> tuple[Array, Array]:
     if np.hypot(y[0], z[0]) < NEAR_KEEL * size:
         y[0] = z[0] = 0.0
     return np.maximum(y, 0.0), np.maximum(z, 0.0)
+
+
+def _along_level_line(y: Array, z: Array, trace: Trace, hidden: Mask, size: float) -> tuple[Array, Array]:
+    """A curve that begins level on a waterline lies on that line from the centre line on."""
+    if min(y[0], z[0]) <= NEAR_AXIS * size or y[0] < LEAST_FLAT * size:
+        return y, z
+    row, slope = end_fit(trace.column, trace.row, last=False)
+    if not begins_on_level_line(Ends(trace.column[:1], np.array([row]), np.array([slope])), hidden)[0]:
+        return y, z
+    return np.append(0.0, y), np.append(z[0], z)
 
 
 def _on_centre_below(y: Array, z: Array, size: float) -> tuple[Array, Array]:
