@@ -342,7 +342,7 @@ def _frame(
     heights, buttocks = np.array(levels_m), np.array([-breadth_m / 2, breadth_m / 2])
     if grid is not None:
         heights = np.append(heights, _teeth(grid.up) * grid.up_m)
-        buttocks = np.append(buttocks, _teeth(grid.across) * grid.across_m)
+        buttocks = np.append(buttocks, _teeth(grid.across, both_sides=True) * grid.across_m)
     vertical = [*vertical, *expected_lines(ink, calibration, buttocks.tolist(), vertical, vertical=True)]
     hull = [
         line
@@ -368,9 +368,11 @@ def _on_tooth(height_px: float, grid: Grid) -> bool:
     return tooth != 0 and abs(height_px - tooth * grid.up.spacing_px) < ON_LEVEL_PX
 
 
-def _teeth(comb: Comb) -> Array:
-    """All multiples between the outermost members of a comb."""
+def _teeth(comb: Comb, both_sides: bool = False) -> Array:
+    """All multiples between the outermost members of a comb; of one about the centre line, alike on both sides."""
     members = comb.multiples[comb.members]
+    if both_sides:
+        members = np.concatenate([members, -members])
     return np.arange(int(members.min()), int(members.max()) + 1).astype(np.float64)
 
 
