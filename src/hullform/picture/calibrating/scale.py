@@ -22,8 +22,8 @@ FEWEST_TEETH = 3  # different multiples, zero included, that make a grid: the tw
 FULL, LEAST_FULL = 0.6, 0.45  # share of the teeth up to the last that are there
 LEAST_HALF_BREADTH = 0.05  # of the picture's width: less is the centre line itself
 LEAST_SIDE = 0.05  # of the height above the base line: upright ink that counts as a ship's side
-HIGHEST_FIGURE = 0.02  # of the picture's width: figures beside the waterlines may touch them, in two rows
-BREAK_OF_SIDE = 0.004  # of the picture's width: of dashes, and of lost ink
+HIGHEST_FIGURE = 0.024  # of the picture's width: figures beside the waterlines may touch them, in two rows
+BREAK_OF_SIDE = 0.003  # of the picture's width: of dashes, and of lost ink
 SIDE_WINDOW = 0.004  # of the picture's width: how far a ship's side may lean within that
 
 
