@@ -32,7 +32,7 @@ RISING = 0.3  # real body plans have 0.7 and more, a barge with a tunnel 0.53 in
 DIAGONAL = 0.35  # of B/2: a straight stroke so long that falls outwards is a diagonal
 DIAGONAL_GAP = 0.012  # of B/2
 FAINTEST_FALL = 0.02  # of the strongest product of gradients
-STRAIGHT = 0.02  # of B/2: RMS of the points of a stroke, or of two beside each other, about its axis
+STRAIGHT = 0.03  # of B/2: RMS of the points of a stroke, or of two beside each other, about its axis
 LEAST_LEFT = 0.25  # of what rises or falls, without diagonals: of less nothing can be said
 AXIS = 0.02  # of B/2 and of D: left out beside the centre line and the base line
 
