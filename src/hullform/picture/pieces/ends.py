@@ -27,6 +27,7 @@ GAIN_OF_FLAT = 25.0  # begins where it leaves the base line, of which it is a pa
 COST_ON_LEVEL = 10.0  # begins level where a waterline hides what comes before
 LEVEL = 0.6  # db/da of a curve within 14 degrees of level
 BEFORE_PX = 6.0
+LEAST_TURN = 0.5  # of db/da, of a bilge from its flat to its side: 27 degrees
 LEAST_FLAT = 0.5  # of B/2
 STEEPEST = 2.2  # db/da of a curve: tumblehome of 20 degrees
 CLOSE_TO_SIDE = 0.975  # of B/2: the mask of the line of B/2 hides the rest of a bilge of small radius
@@ -67,7 +68,7 @@ def end_fit(column: Indices | Array, row: Array, last: bool) -> tuple[float, flo
     return float(fit[-1]), float(np.clip(fit[-2], -STEEPEST, STEEPEST))
 
 
-def entry_cost(first: Ends, mask: Mask, frame: DiagonalFrame, scale: float) -> Array:
+def entry_cost(first: Ends, last: Ends, mask: Mask, frame: DiagonalFrame, scale: float) -> Array:
     """Little at the centre line and the base line, then by the distance from them.
 
     A bilge that begins on the base line gains for the flat of bottom that lies on that line unseen.
@@ -78,8 +79,9 @@ def entry_cost(first: Ends, mask: Mask, frame: DiagonalFrame, scale: float) -> A
     cost = np.where(away < reach, 0.3 * away, np.minimum(3 + 4 * (away - reach), DEAREST_ENTRY * scale))
     on_flat = (y > LEAST_FLAT * frame.half_breadth_px) & (z < reach)
     cost = np.where(on_flat, cost - GAIN_OF_FLAT * scale, cost)
-    # likewise one that begins level on a waterline: of a raked end
-    on_level = (y > LEAST_FLAT * frame.half_breadth_px) & begins_on_level_line(first, mask)
+    # likewise one that begins level on a waterline, of a raked end; what goes on as it began only crosses that line
+    bilge = (y > LEAST_FLAT * frame.half_breadth_px) & (first.slope - last.slope > LEAST_TURN)
+    on_level = bilge & begins_on_level_line(first, mask)
     return np.where(on_level, np.minimum(cost, COST_ON_LEVEL * scale), cost)
 
 
