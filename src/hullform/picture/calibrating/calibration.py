@@ -250,7 +250,8 @@ def _side_px(
         distances = [
             sign * ((crossing(line, base)[0] if base else float(line.at(origin[1]))) - origin[0]) for line in vertical
         ]
-        near += [d for d in distances if abs(d - rough_px) < 6]
+        # of two that lie side by side the inner one is a station
+        near += sorted(d for d in distances if abs(d - rough_px) < 6)[-1:]
     if near:
         return float(np.mean(near))
     # axis of the outermost upright ink: the centroid of the outermost run of each row, its outer twentieth

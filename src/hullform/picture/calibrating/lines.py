@@ -114,10 +114,12 @@ def find_lines_and_border(ink: Ink) -> tuple[list[StraightLine], list[StraightLi
         parallel = _one_each(_levelled(ink, parallel, (mean, 0.0), size, LARGEST_SLOPE_SPREAD), 4 * shrink)
         convergent = [] if trend is None else _levelled(ink, fanned, trend, size, LARGEST_SLOPE_SPREAD / 2)
         convergent = _one_each(convergent, 4 * shrink)
-        # pieces of curves and letters speak for neither; a line that had to be turned speaks little for its family
+        # pieces of curves and letters speak for neither. An upright line that had to be turned speaks little for its
+        # family; level ones may be flats of bottom of two halves at different heights, which only look askew
+        share = SHARE_OF_TURNED if vertical else 1.0
         drawn = [
             sum(
-                line.length * (1.0 if _turned_little(line, slopes, size) else SHARE_OF_TURNED)
+                line.length * (1.0 if _turned_little(line, slopes, size) else share)
                 for line in _family(lines, 4 * shrink)
             )
             for lines, slopes in ((parallel, (mean, 0.0)), (convergent, trend or (mean, 0.0)))
