@@ -15,6 +15,7 @@ from hullform.checks import Check
 from hullform.empirical_figures import EmpiricalFigures
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.hull.loft import Hull
+from hullform.in_service import InService
 from hullform.in_water import InWater
 from hullform.loading.distributions import Distribution
 from hullform.loading.structure import Structure
@@ -124,6 +125,7 @@ class Run:
         light: steel, machinery and their estimates.
         checks: of the hull and the light ship; those of the conditions are theirs.
         conditions: by name, in the order of ship.toml.
+        in_service: the same, held against propeller, engine and waves.
         seconds: by stage, for provenance alone.
     """
 
@@ -135,6 +137,7 @@ class Run:
     light: LightShip
     checks: tuple[Check, ...]
     conditions: Mapping[str, ConditionRun]
+    in_service: Mapping[str, InService]
     seconds: Mapping[str, float]
 
     @property

@@ -13,6 +13,7 @@ from hullform.afloat import ConditionAfloat, ShipAfloat, load_ship
 from hullform.body_plan import BodyPlan
 from hullform.empirical_figures import in_water_figures
 from hullform.hull.loft import Hull
+from hullform.in_service import in_service
 from hullform.in_water import InWater, put_in_water
 from hullform.loading.items import KG_PER_T
 from hullform.outcome import ConditionRun, Distortion, Run
@@ -23,6 +24,7 @@ from hullvib.errors import NotProven
 from hullvib.finite_elements import FiniteElements
 from hullvib.girder import Girder
 from hullvib.modes import Modes
+from hullvib.real_ships import ratios
 from hullvib.ritz import Ritz
 from hullvib.solving import solve
 from hullvib.stodola import StodolaRitz
@@ -112,6 +114,9 @@ def run_ship(ship: Ship, progress: Progress = lambda step: None) -> Run:
         progress(f"frequencies: {condition.condition.title}")
         runs[name] = _vibrate(ship, afloat, condition, water[name])
     finished("frequencies")
+    progress("propeller, engine and waves")
+    service = {name: in_service(ship, condition.modes) for name, condition in runs.items()}
+    finished("service")
     return Run(
         ship=ship,
         reading=reading,
@@ -121,6 +126,7 @@ def run_ship(ship: Ship, progress: Progress = lambda step: None) -> Run:
         light=afloat.light,
         checks=(*afloat.checks, mesh),
         conditions=runs,
+        in_service=service,
         seconds=seconds,
     )
 
@@ -147,14 +153,16 @@ def _vibrate(ship: Ship, afloat: ShipAfloat, condition: ConditionAfloat, in_wate
         "shear": solve(girder, StodolaRitz(functions=FUNCTIONS, shear=True), modes=MODES),
         "timoshenko": solve(girder, TimoshenkoElements(elements=ELEMENTS), modes=MODES),
     }
-    frequency = checks.check_frequency(float(in_water.shear.modes.frequencies_hz[0]), girder.length)
+    quoted = in_water.shear.modes
+    frequency = checks.check_frequency(float(quoted.frequencies_hz[0]), girder.length)
+    of_ships = checks.checks_of_ratios(ratios(quoted.angular_frequencies), quoted.medium)
     return ConditionRun(
         condition=condition.condition,
         items=condition.items,
         girder=girder,
         floating=floating,
         at_rest=condition.at_rest,
-        checks=(*condition.checks, *in_water.checks, frequency),
+        checks=(*condition.checks, *in_water.checks, frequency, *of_ships),
         solutions=solutions,
         in_water=in_water,
         bracket=_bracket(solutions["stodola_ritz"]),

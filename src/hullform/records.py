@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import ConfigDict, Field
 
-Finite = Annotated[float, Field(allow_inf_nan=False)]
-Frequencies = list[Finite]
-
-
-class _Table(BaseModel):
-    model_config = ConfigDict(extra="forbid")
+from hullform.record_table import Finite, Frequencies
+from hullform.record_table import RecordTable as _Table
+from hullform.service_records import RatiosRecord, ResonanceRecord, SpringingRecord
 
 
 class Provenance(_Table):
@@ -289,6 +286,9 @@ class ConditionRecord(_Table):
     solutions: list[Solution]
     convergence: dict[str, dict[str, Frequencies]]
     distortion: DistortionRecord
+    ships_as_they_are: RatiosRecord
+    resonance: ResonanceRecord | None
+    springing: SpringingRecord | None
 
 
 class Results(_Table):

@@ -20,6 +20,7 @@ from hullform.hull.equilibrium import FloatingPosition
 from hullform.in_water import InWater
 from hullform.loading.still_water import Extremes, sampled
 from hullform.outcome import Array, ConditionRun, Run
+from hullform.record_table import Frequencies
 from hullform.records import (
     BracketRecord,
     CheckRecord,
@@ -27,7 +28,6 @@ from hullform.records import (
     DistortionRecord,
     ExtremesRecord,
     FloatingRecord,
-    Frequencies,
     Headline,
     HullRecord,
     InWaterRecord,
@@ -42,6 +42,7 @@ from hullform.records import (
     StructureRecord,
     WeightRecord,
 )
+from hullform.service_results import ratios_record, resonance_record, springing_record
 from hullvib.bounds import Bracket
 from hullvib.mode_files import solution_record
 from hullvib.modes import Modes
@@ -59,7 +60,7 @@ def results_of(run: Run) -> Results:
         light_ship=_light_ship(run),
         checks=_checks(run.checks),
         doubts=list(run.doubts),
-        conditions={name: _condition(condition) for name, condition in run.conditions.items()},
+        conditions={name: _condition(run, name) for name in run.conditions},
     )
 
 
@@ -179,7 +180,8 @@ def _bracket(bracket: Bracket | str) -> BracketRecord:
     return BracketRecord(lower=bracket.lower.tolist(), upper=bracket.upper.tolist(), proof=bracket.proof)
 
 
-def _condition(run: ConditionRun) -> ConditionRecord:
+def _condition(whole: Run, name: str) -> ConditionRecord:
+    run, service = whole.conditions[name], whole.in_service[name]
     floating, modes = run.floating, run.modes
     waterline, equilibrium = run.at_rest.position.waterline, run.at_rest.equilibrium
     return ConditionRecord(
@@ -215,6 +217,9 @@ def _condition(run: ConditionRun) -> ConditionRecord:
             "ritz_elastic_only": _by_functions(run.elastic_only_convergence_rad_s),
         },
         distortion=_distortion(run),
+        ships_as_they_are=ratios_record(modes, whole.ship.particulars),
+        resonance=resonance_record(service),
+        springing=springing_record(service),
     )
 
 

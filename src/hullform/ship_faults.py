@@ -13,7 +13,6 @@ RESERVED = {
     "body_plan": {"mesh", "offsets"},
     "hull": {"sections"},
     "water": {"depth_m"},
-    "": {"excitation", "operation"},
 }
 
 # Keys that somebody may well try: what to write in their place.
