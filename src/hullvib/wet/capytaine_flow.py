@@ -53,12 +53,8 @@ class CapytaineFlow:
     def added_mass(self, motions: Motions) -> AddedMass:
         """Raises ArgumentError for motions that do not reach over the hull."""
         capytaine = _capytaine()
-        faces = [list(dict.fromkeys(face)) for face in self.panels.faces.tolist()]
         half = capytaine.Mesh(
-            vertices=self.panels.vertices_m,
-            faces=[face if len(face) == 4 else [*face, face[-1]] for face in faces],
-            auto_clean=True,
-            auto_check=False,
+            vertices=self.panels.vertices_m, faces=self.panels.faces.tolist(), auto_clean=True, auto_check=False
         )
         mesh = capytaine.ReflectionSymmetricMesh(half, plane="xOz").merged()
         x, z = mesh.faces_centers[:, 0], mesh.faces_centers[:, 2]
