@@ -18,7 +18,7 @@ def hull() -> Hull:
     x = np.linspace(0.0, 100.0, 100)
     along = x / 100.0
     keel = 7.0 * np.clip(1 - along / 0.15, 0.0, 1.0) ** 2
-    return Hull(
+    return Hull.of_super_ellipses(
         x_m=x,
         half_breadth_m=8.0 * np.minimum(1.0, 0.2 + 2.0 * (1 - along)) * np.minimum(1.0, 0.7 + 2.0 * along),
         depth_m=10.0 - keel,
