@@ -23,11 +23,12 @@ Array = NDArray[np.float64]
 # Of the breadth: by how much a contour comes in to a neck, and goes out again; how far a corner may be from the
 # next section's; what is on the centre line.
 _NECK = 0.01
-_CORNER_REACH = 0.12
+_CORNER_REACH = 0.25
 _ON_CENTRE = 1e-6
 # Parameters nearer than this, of the whole, are pushed apart so far, that maps increase.
 _APART = 1e-9
-_KNOTS = 160  # of the map between two landmarks
+_LENGTH_TRACE = 1e-6
+_SAME = 1e-6  # of the whole: landmarks of different sections that come so near are one
 _DENSE = 240  # places a section at which the need for points is asked
 _TURNING_SHARE = 0.6  # of the need for points that follows the turning of the curve, beside its length
 
@@ -133,8 +134,8 @@ def _map(one: _Landmarks, other: _Landmarks, breadth_m: float) -> tuple[Array, A
     pairs = _increasing(pairs, one, other)
     for pair in _corner_pairs(one, other, breadth_m):
         tried = sorted([*pairs, pair])
-        # a corner that would cross what is tied already is not tied
-        if all(b[1] > a[1] for a, b in itertools.pairwise(tried)):
+        # a corner that would cross what is tied already, or stands on it, is not tied
+        if all(b[0] > a[0] and b[1] > a[1] for a, b in itertools.pairwise(tried)):
             pairs = tried
     knots = [_between(one, other, start, end) for start, end in itertools.pairwise(pairs)]
     first = np.concatenate([knots[0][0], *(part[0][1:] for part in knots[1:])])
@@ -190,19 +191,20 @@ def _between(
     one: _Landmarks, other: _Landmarks, start: tuple[float, float], end: tuple[float, float]
 ) -> tuple[Array, Array]:
     """Knots of the map between two landmarks: places of the same share of what the contour does across and upward."""
-    share = np.linspace(0.0, 1.0, _KNOTS)
-    columns = []
+    shares, arcs = [], []
     for land, low, high in ((one, start[0], end[0]), (other, start[1], end[1])):
         inside = (land.arc > low) & (land.arc < high)
         arc = np.concatenate([[low], land.arc[inside], [high]])
         steps = np.abs(np.diff(at_arc(land.points, land.arc, arc), axis=0))
         whole = steps.sum(axis=0)
         measure = np.divide(steps, whole, out=np.zeros_like(steps), where=whole > 1e-6 * whole.max()).sum(axis=1)
-        # a share of the length itself keeps it increasing, and stands for all where the contour stays on one place
-        measure = measure / max(float(measure.sum()), 1e-300) + 1e-3 * np.diff(arc) / (high - low)
+        # a trace of the length itself keeps it increasing, and stands for all where the contour stays on one place
+        measure = measure / max(float(measure.sum()), 1e-300) + _LENGTH_TRACE * np.diff(arc) / (high - low)
         along = np.append(0.0, np.cumsum(measure))
-        columns.append(np.interp(share, along / along[-1], arc))
-    return columns[0], columns[1]
+        shares.append(along / along[-1])
+        arcs.append(arc)
+    share = np.unique(np.concatenate(shares))
+    return np.interp(share, shares[0], arcs[0]), np.interp(share, shares[1], arcs[1])
 
 
 def _parameters(marked: list[_Landmarks], common: _Common, count: int) -> Array:
@@ -210,7 +212,7 @@ def _parameters(marked: list[_Landmarks], common: _Common, count: int) -> Array:
     whole = common.lengths[common.middle]
     corners = [common.from_section(n, land.corners) for n, land in enumerate(marked)]
     necks = [common.from_section(n, np.array(land.neck)) for n, land in enumerate(marked) if land.neck is not None]
-    kept = _once(np.concatenate([[0.0, whole], *corners, *necks]), 1e-7 * whole)
+    kept = _once(np.concatenate([[0.0, whole], *corners, *necks]), _SAME * whole)
     own = [common.from_section(n, np.linspace(0.0, land.arc[-1], _DENSE)) for n, land in enumerate(marked)]
     dense = np.unique(np.concatenate([*own, kept]))
     needs = [np.diff(_need(land, common.to_section(n, dense))) for n, land in enumerate(marked)]

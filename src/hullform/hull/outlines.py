@@ -14,6 +14,8 @@ _SIDE = 0.02
 # A curve that turns by more within it has a corner; a bilge of a radius above a twentieth of the breadth has none.
 _SHARPEST_TURN = np.radians(28.0)
 _DISTANCE_SAMPLES = 240
+# Of a contour's extent: a point that lies nearer to the one before repeats it.
+_REPEATED = 1e-7
 # Of a contour's own breadth: what is nearer to the centre line is on it.
 _PEN = 2e-3
 
@@ -34,7 +36,7 @@ def contours_of(station: Station) -> tuple[Array, ...]:
         if number < len(drawn) - 1 and held[-1, 0] > 0:
             parts.append(np.array([[0.0, held[-1, 1]]]))
         whole = np.concatenate(parts)
-        moves = np.append(True, (np.diff(whole, axis=0) != 0).any(axis=1))
+        moves = np.append(True, np.hypot(*np.diff(whole, axis=0).T) > _REPEATED * np.ptp(whole, axis=0).max())
         closed.append(whole[moves])
     return tuple(closed)
 

@@ -65,7 +65,7 @@ def surface(hull: Hull, draught_m: float) -> tuple[Patch, ...]:
     below, above = np.empty((len(fine), POINTS_BELOW, 2)), np.empty((len(fine), POINTS_ABOVE, 2))
     for section, low, high in zip(fine, below, above, strict=True):
         y, z = section.T
-        at_water = float(np.interp(draught_m, z, share))
+        at_water = _share_at_water(z, draught_m)
         low_share = at_water * np.linspace(0.0, 1.0, POINTS_BELOW)
         high_share = at_water + (1.0 - at_water) * np.linspace(0.0, 1.0, POINTS_ABOVE)
         low[:] = np.column_stack([np.interp(low_share, share, y), np.interp(low_share, share, z)])
@@ -85,6 +85,15 @@ def surface(hull: Hull, draught_m: float) -> tuple[Patch, ...]:
         Patch(aft[::-1], TOPSIDE),
         Patch(fore, TOPSIDE),
     )
+
+
+def _share_at_water(z: Array, draught_m: float) -> float:
+    """How far along a section, of the whole, it comes up through the waterline, the last time if it does so again."""
+    (rising,) = np.nonzero((z[:-1] < draught_m) & (z[1:] >= draught_m))
+    if not len(rising):
+        return 0.0 if z[-1] >= draught_m else 1.0
+    last = int(rising[-1])
+    return float((last + (draught_m - z[last]) / (z[last + 1] - z[last])) / (len(z) - 1))
 
 
 def still_picture(hull: Hull, draught_m: float) -> Picture:
