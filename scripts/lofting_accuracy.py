@@ -35,7 +35,7 @@ Twelve hulls of other authors, from tables and sliced meshes of 18 to 27 station
 `sections = "auto"`. Written by `scripts/lofting_accuracy.py`; the hulls carry licences of their own and are not part of
 the project.
 
-- **models**: how many stations stand as what: e super-ellipse, f flared rectellipse, 2 two super-ellipses, s spline,
+- **models**: how many stations stand as what: e super-ellipse, f flared rectellipse, t two super-ellipses, s spline,
   p traced polyline.
 - **deviation**: the largest Hausdorff distance of any station of the lofted hull from the drawn one, of the breadth.
 - **area**: the largest error of any station's area below the waterline, of its own area, which counts as no less than
@@ -54,7 +54,7 @@ COLUMNS = (
 LETTERS = {
     "super-ellipse": "e",
     "flared rectellipse": "f",
-    "two super-ellipses": "2",
+    "two super-ellipses": "t",
     "spline": "s",
     "traced polyline": "p",
 }

@@ -235,3 +235,34 @@ def test_a_plan_of_lines_has_no_shape_in_either_way() -> None:
     lines = tuple(station(x, np.array([[0.0, 0.0], [0.0, 9.0]])) for x in (0.0, 50.0, 100.0))
     with pytest.raises(HullError, match="one of them with a shape"):
         Hull.from_body_plan(BodyPlan(lines, "offsets"), Particulars(), sections="traced")
+
+
+def test_a_bulb_beyond_the_last_station_is_closed_as_an_ellipsoid_is(hull: Hull) -> None:
+    # the last station, at 99 m of 100, has a drop of its own from 1.0 to 3.8 m: nothing of it is left at the end
+    assert len(hull.section_curves(99.0)) == 2
+    assert hull.sectional_areas(4.5)[-1] == pytest.approx(0.0, abs=1e-9)
+    lowest = [contour[0, 1] for contour in hull.section_curves(99.0)]
+    assert lowest[0] == pytest.approx(1.0, abs=0.02)
+    near = hull.x_m[np.argmin(np.abs(hull.x_m - 99.5))]
+    share = np.sqrt(1 - (near - 99.0) ** 2)
+    assert hull.sectional_areas(4.5, near) == pytest.approx(share**2 * np.pi * 0.8 * 1.4, rel=0.02)
+
+
+def test_a_single_station_of_two_contours_between_others_leaves_no_edge_of_four_sides() -> None:
+    two = (drop(1.0, 0.0, 3.0), ellipse(5.0, 5.0, 1.2, 1.5))
+    plan = BodyPlan(
+        (
+            station(0.0, MIDSHIP),
+            station(60.0, MIDSHIP),
+            station(80.0, bulbous(1.4, 0.4, 5.0)),
+            station(88.0, *two),
+            station(95.0, bulbous(1.2, 0.3, 4.0)),
+            station(100.0, bulbous(1.0, 0.3, 3.0)),
+        ),
+        "offsets",
+    )
+    hull = Hull.from_body_plan(plan, Particulars())
+    mesh = hull.mesh()
+    assert len(hull.section_curves(88.0)) == 2
+    assert mesh.is_watertight
+    assert len(crossing_triangles(mesh.vertices, mesh.faces)) == 0

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hullform.hull.crossings import crossing_triangles
+from hullform.hull.crossings import crossing_triangles, doubts_of_crossing
 
 FLAT = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]]
 
@@ -63,3 +63,10 @@ def test_random_triangles_of_all_sizes_against_every_pair() -> None:
     expected = {(i, j) for i in range(150) for j in range(i + 1, 150) if meet(triangles[i], triangles[j])}
     assert len(expected) > 50
     assert found == expected
+
+
+def test_the_doubt_says_where() -> None:
+    piercing = [[0.4, 0.4, -1.0], [0.5, 0.5, 1.0], [3.0, 3.0, 1.0]]
+    (doubt,) = doubts_of_crossing(*soup(FLAT, piercing))
+    assert "between x = 0.00 and 3.00 m (1 pairs of triangles)" in doubt
+    assert doubts_of_crossing(*soup(FLAT)) == ()

@@ -115,10 +115,20 @@ class Contours:
         return np.asarray((1 - share) * self.outline[..., before, :] + share * self.outline[..., before + 1, :])
 
     def mesh_points(self, count: int) -> Array:
-        """All points of the sections, whatever the count: knuckles stay."""
+        """All points of the sections, whatever the count: knuckles stay.
+
+        A place where the form only touches the centre plane, in one section or along one line, is opened by the finest
+        step: four sides would meet there.
+        """
         del count
         points = np.round(self.outline / _FINEST_M) * _FINEST_M
-        points[..., 0][points[..., 0] <= ON_THE_CENTRE_LINE * points[..., 0].max()] = 0.0
+        y = points[..., 0]
+        y[y <= ON_THE_CENTRE_LINE * y.max()] = 0.0
+        on = y == 0
+        touching = np.zeros_like(on)
+        touching[1:-1, 1:-1] = on[1:-1, 1:-1] & ~on[:-2, 1:-1] & ~on[2:, 1:-1]
+        touching[:, 1:-1] |= on[:, 1:-1] & ~on[:, :-2] & ~on[:, 2:]
+        y[touching] = _FINEST_M
         return points
 
     def shell(self, thickness_m: float) -> ShellSection:
@@ -135,17 +145,17 @@ class Contours:
         axis = np.divide(first, girth, out=np.zeros_like(girth), where=girth > 0)
         return ShellSection(girth, thickness_m * girth, axis, thickness_m * (second - first * axis))
 
-    def wetted_surface(self, x: Array, draught: float) -> float:
-        """Of sections at x (sections,): sides and bottom below a draught, in m2, from triangles cut there."""
-        corner = np.concatenate([np.broadcast_to(x[:, None, None], (*self.outline.shape[:2], 1)), self.outline], -1)
+    def wetted_surface(self, x: Array, heights: ArrayLike) -> float:
+        """Of sections at x (sections,): sides and bottom below heights, in m2, from triangles cut at the waterline."""
+        along = np.broadcast_to(x[:, None, None], (*self.outline.shape[:2], 1))
+        corner = np.concatenate([along, self.outline], -1)
         a, b, c, d = corner[:-1, :-1], corner[:-1, 1:], corner[1:, 1:], corner[1:, :-1]
         triangles = np.concatenate([np.stack([a, b, c], -2), np.stack([a, c, d], -2)]).reshape(-1, 3, 3)
-        off_centre = triangles[..., 1].max(-1) > ON_THE_CENTRE_LINE * float(self.outline[..., 0].max())
-        triangles = triangles[off_centre]
-        area = (
-            np.linalg.norm(np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]), axis=-1) / 2
-        )
-        return float(2 * area @ _share_below(np.sort(triangles[..., 2], axis=-1), draught))
+        triangles = triangles[triangles[..., 1].max(-1) > ON_THE_CENTRE_LINE * float(self.outline[..., 0].max())]
+        one, other = triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
+        area = np.linalg.norm(np.cross(one, other), axis=-1) / 2
+        waterline = np.interp(triangles[..., 0], x, np.broadcast_to(heights, x.shape))
+        return float(2 * area @ _share_below(np.sort(triangles[..., 2] - waterline, axis=-1), 0.0))
 
 
 def parted_at_the_centre_line(section: Array) -> tuple[Array, ...]:

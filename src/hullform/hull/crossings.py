@@ -26,8 +26,9 @@ def crossing_triangles(vertices: Array, faces: Faces) -> Faces:
     low, high = corner.min(axis=1), corner.max(axis=1)
     tolerance = _TOUCH * float((high.max(axis=0) - low.min(axis=0)).max())
     one, other = _sharing_a_cell(low, high)
-    overlap = ((low[one] <= high[other]) & (low[other] <= high[one])).all(axis=1)
-    one, other = one[overlap], other[overlap]
+    for lowest, highest in zip(low.T, high.T, strict=True):
+        overlap = (lowest[one] <= highest[other]) & (lowest[other] <= highest[one])
+        one, other = one[overlap], other[overlap]
     apart = (faces[one][:, :, None] != faces[other][:, None, :]).all(axis=(1, 2))
     pairs = np.unique(np.stack([one[apart], other[apart]], axis=-1), axis=0)
     crossing = [
@@ -36,6 +37,18 @@ def crossing_triangles(vertices: Array, faces: Faces) -> Faces:
         for part in np.array_split(pairs, 1 + len(pairs) // _PAIRS_AT_ONCE)
     ]
     return pairs[np.concatenate(crossing)]
+
+
+def doubts_of_crossing(vertices: Array, faces: Faces) -> tuple[str, ...]:
+    """One doubt that says where a hull's surface goes through itself, or none."""
+    pairs = crossing_triangles(vertices, faces)
+    if not len(pairs):
+        return ()
+    x = vertices[faces[pairs]][..., 0]
+    return (
+        f"the hull's surface goes through itself between x = {x.min():.2f} and {x.max():.2f} m ({len(pairs)} pairs of "
+        "triangles); the sections drawn about there do not answer to each other: check their curves, or add a station",
+    )
 
 
 def _sharing_a_cell(low: Array, high: Array) -> tuple[Faces, Faces]:

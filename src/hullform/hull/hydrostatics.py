@@ -34,8 +34,10 @@ class Buoyancy(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Hydrostatics:
-    """A hull on even keel at one draught. SI; x from the aft end of the length overall, z from the base line.
+    """A hull below one waterline. SI; x from the aft end of the length overall, z from the base line.
 
+    The draught is that halfway between the perpendiculars; the trim is positive by the stern. Of a waterline that is
+    not level the waterplane is its projection on the base plane, and lengths are measured along the base line.
     Coefficients use the length between perpendiculars, the moulded breadth and the draught; midships is halfway
     between the perpendiculars. The wetted surface has no transom or other end faces.
     """
@@ -57,11 +59,26 @@ class Hydrostatics:
     midship_coefficient: float
     prismatic_coefficient: float
     waterplane_coefficient: float
+    trim_m: float = 0.0
+
+
+class BonjeanCurves(NamedTuple):
+    """Sections' areas up to a set of heights.
+
+    x_m (stations,), height_m (heights,) above the base line, area_m2 (stations, heights) of both sides, and
+    moment_m3 (stations, heights), their first moments about the base line.
+    """
+
+    x_m: Array
+    height_m: Array
+    area_m2: Array
+    moment_m3: Array
 
 
 def buoyancy(x: Array, sections: SectionSet, draught: ArrayLike, deck_tolerance: float = 0.0) -> Buoyancy:
     """Integrate volume and waterplane of sections (..., stations) at x (stations,) below a draught in m.
 
+    draught: of all places alike, or at those of `quadrature(x)` for a waterline that is not level.
     deck_tolerance: depth in m by which a draught may exceed a section's top and still count as a draught at its top.
     """
     place, weight = quadrature(x)

@@ -23,7 +23,7 @@ from hullform.hull.drawn import (
     station_places,
 )
 from hullform.hull.equilibrium import FloatingPosition, Waterline, equilibrium, floating_position, immersed_areas
-from hullform.hull.hydrostatics import Hydrostatics
+from hullform.hull.hydrostatics import BonjeanCurves, Hydrostatics
 from hullform.hull.ladder import Choice
 from hullform.hull.lofted_contours import lofted_contours, places_with_stations
 from hullform.hull.sections import Sections, SectionSet, quadrature
@@ -247,8 +247,12 @@ class Hull:
     def _immersed_volume(self, draught_m: float) -> float:
         return float(floating.buoyancy(self.x_m, self.sections, draught_m).volume)
 
-    def hydrostatics(self, draught_m: float | None = None, density: float = 1025.0) -> Hydrostatics:
-        """Return what the hull displaces on even keel at a draught in m (default: the design's), density in kg/m3.
+    def hydrostatics(
+        self, draught_m: float | None = None, density: float = 1025.0, trim_m: float = 0.0
+    ) -> Hydrostatics:
+        """Return what the hull displaces at a draught halfway between the perpendiculars, in m (default: the design's).
+
+        density: of the water, kg/m3. trim_m: draught aft less that fore, at the perpendiculars.
 
         Raises HullError for a draught not positive or above the depth amidships, and where nothing is immersed.
         """
@@ -261,7 +265,9 @@ class Hull:
             )
         if not density > 0:
             raise HullError(f"water density {density:g} kg/m3 is not possible; sea water has 1025")
-        under = floating.buoyancy(self.x_m, self.sections, draught, _DEPTH_TOLERANCE * depth)
+        waterline = self.waterline(draught + trim_m / 2, draught - trim_m / 2)
+        heights = waterline.heights(quadrature(self.x_m)[0])
+        under = floating.buoyancy(self.x_m, self.sections, heights, _DEPTH_TOLERANCE * depth)
         volume, waterplane = float(under.volume), float(under.waterplane_area)
         if volume <= 0 or waterplane <= 0:
             raise HullError(f"at a draught of {draught:g} m nothing of the hull is under water; check her keel heights")
@@ -282,12 +288,20 @@ class Hull:
             waterplane_area_m2=waterplane,
             lcf_x_m=lcf,
             midship_area_m2=midship_area,
-            wetted_surface_m2=self.sections.wetted_surface(self.x_m, draught),
+            wetted_surface_m2=self.sections.wetted_surface(self.x_m, waterline.heights(self.x_m)),
             block_coefficient=block,
             midship_coefficient=midship_area / box,
             prismatic_coefficient=block * box / midship_area,
             waterplane_coefficient=waterplane / (self.length_between_perpendiculars_m * self.breadth_m),
+            trim_m=float(trim_m),
         )
+
+    def bonjean_curves(self, heights_m: ArrayLike, x_m: ArrayLike | None = None) -> BonjeanCurves:
+        """Areas of the sections, or of those at x_m (stations,), below heights (heights,) in m above the base line."""
+        x = self.x_m if x_m is None else np.atleast_1d(np.asarray(x_m, dtype=np.float64))
+        heights = np.atleast_1d(np.asarray(heights_m, dtype=np.float64))
+        under = self.sections_at(x).cut(heights[:, None])
+        return BonjeanCurves(x, heights, under.area.T, under.moment_z.T)
 
     def draught_for(self, mass_kg: float, density: float = 1025.0) -> float:
         """Return the even-keel draught in m at which the hull displaces a mass in kg of water of a density in kg/m3.

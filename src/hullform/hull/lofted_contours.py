@@ -22,6 +22,7 @@ POINTS = 121
 _NEAREST = 0.4
 # Of its depth: what is left of the last section, at the least, where its keel rises to the deck outside it.
 _LEAST_DEPTH = 0.1
+_ON_CENTRE = 1e-6  # of the greatest half-breadth
 
 
 def places_with_stations(x: Array, drawn_x: Array) -> Array:
@@ -39,7 +40,7 @@ def lofted_contours(stations: Sequence[FittedStation], x: Array, breadth_m: floa
     Matched points (`correspondence`) follow monotone cubics between the drawn stations. Beyond the outermost ones the
     last section goes on, its breadth as the parabola through the greatest breadths of the last three has it, held to
     0..its own and never growing outwards, its keel and deck in straight lines, by no more than their last drawn step
-    and not quite to each other.
+    and not quite to each other; a bulb of its own closes there.
 
     Raises:
         HullError: there are fewer than three stations at different x, or none has a shape.
@@ -58,22 +59,37 @@ def lofted_contours(stations: Sequence[FittedStation], x: Array, breadth_m: floa
     matched[..., 0] = np.maximum(matched[..., 0], 0.0)
     held = np.clip(x, drawn_x[0], drawn_x[-1])
     lofted = PchipInterpolator(drawn_x, matched, axis=0)(held)
-    widest = matched[..., 0].max(axis=1)
-    top, keel = matched[:, -1, 1], matched[..., 1].min(axis=1)
-    outside = x != held
-    if outside.any():
-        wide = with_ends(drawn_x, widest, x, outer_breadths)[outside]
-        high, low = (with_ends(drawn_x, values, x, outer_heights)[outside] for values in (top, keel))
-        last = lofted[outside]
-        breadth, deck, bottom = last[..., 0].max(axis=1), last[:, -1, 1], last[..., 1].min(axis=1)
-        narrower = np.divide(wide, breadth, out=np.zeros_like(wide), where=breadth > 0)
-        low = np.minimum(low, high - _LEAST_DEPTH * (deck - bottom))
-        lower = np.divide(high - low, deck - bottom, out=np.zeros_like(wide), where=deck > bottom)
-        last[..., 0] *= narrower[:, None]
-        last[..., 1] = low[:, None] + lower[:, None] * (last[..., 1] - bottom[:, None])
-        lofted[outside] = last
+    widest, top, keel = matched[..., 0].max(axis=1), matched[:, -1, 1], matched[..., 1].min(axis=1)
+    wide = with_ends(drawn_x, widest, x, outer_breadths)
+    high, low = (with_ends(drawn_x, values, x, outer_heights) for values in (top, keel))
+    for last, outside in ((matched[0], x < drawn_x[0]), (matched[-1], x > drawn_x[-1])):
+        if outside.any():
+            reach = np.abs(x - held)[outside]
+            lofted[outside] = _going_on(last, reach, wide[outside], high[outside], low[outside])
     lofted[..., 0] = np.maximum(lofted[..., 0], 0.0)
     return Contours(lofted)
+
+
+def _going_on(last: Array, reach: Array, wide: Array, high: Array, low: Array) -> Array:
+    """Sections (k, m, 2) outside the last one (m, 2), at distances (k,) from it, of given breadths and heights.
+
+    A lower contour of its own, a bulb or a gondola, does not go on with the rest: it closes as half an ellipse does,
+    over a length of its own height, or what there is of the ship.
+    """
+    y, z = last.T
+    deck, bottom = z[-1], z.min()
+    low = np.minimum(low, high - _LEAST_DEPTH * (deck - bottom))
+    breadths = (wide / max(float(y.max()), 1e-300))[:, None] * y
+    heights = low[:, None] + ((high - low) / max(float(deck - bottom), 1e-300))[:, None] * (z - bottom)
+    centre_line = np.flatnonzero((y[:-1] <= _ON_CENTRE * y.max()) & (y[1:] <= _ON_CENTRE * y.max()))
+    if len(centre_line) and 0 < centre_line[0] < len(y) - 2:
+        lower = slice(0, int(centre_line[0]) + 1)
+        length = min(float(np.ptp(z[lower])), float(reach.max()))
+        left = np.sqrt(np.maximum(1 - (reach / length) ** 2, 0.0))[:, None]
+        middle = (z[lower].max() + z[lower].min()) / 2
+        breadths[:, lower] = left * y[lower]
+        heights[:, lower] = middle + left * (z[lower] - middle)
+    return np.stack([breadths, heights], axis=-1)
 
 
 def _mean(outlines: Sequence[Array], breadth_m: float) -> Array:

@@ -81,12 +81,12 @@ def largest_distance(one: Array, other: Array) -> float:
 
 def _farthest(of: Array, line: Array) -> float:
     """Largest distance of the points and of even places of a polyline from another."""
-    points = resampled(of, _DISTANCE_SAMPLES)
-    start, run = line[:-1], np.diff(line, axis=0)
-    square = np.maximum((run**2).sum(-1), 1e-300)
-    offset = points[:, None] - start
-    along = np.clip((offset * run).sum(-1) / square, 0.0, 1.0)
-    return float(np.sqrt(((offset - along[..., None] * run) ** 2).sum(-1).min(axis=1).max()))
+    y, z = resampled(of, _DISTANCE_SAMPLES).T[..., None]
+    (y_start, z_start), (y_run, z_run) = line[:-1].T, np.diff(line, axis=0).T
+    square = np.maximum(y_run**2 + z_run**2, 1e-300)
+    along = np.clip(((y - y_start) * y_run + (z - z_start) * z_run) / square, 0.0, 1.0)
+    apart = (y - y_start - along * y_run) ** 2 + (z - z_start - along * z_run) ** 2
+    return float(np.sqrt(apart.min(axis=1).max()))
 
 
 def corners_of(points: Array, breadth_m: float) -> NDArray[np.int64]:

@@ -65,8 +65,8 @@ class SectionSet(Protocol):
     def shell(self, thickness_m: float) -> ShellSection:
         """Of a closed shell of one thickness, deck included; its axis is below the top."""
 
-    def wetted_surface(self, x: Array, draught: float) -> float:
-        """Of sections at x (stations,): sides and bottom below a draught, in m2, end faces left out."""
+    def wetted_surface(self, x: Array, heights: ArrayLike) -> float:
+        """Of sections at x (stations,): sides and bottom below heights (broadcast), in m2, end faces left out."""
 
 
 class Sections(NamedTuple):
@@ -132,16 +132,16 @@ class Sections(NamedTuple):
         """Of a closed shell of one thickness in m, deck included; its axis is below the top."""
         return shell_section(*self.shape, thickness_m)
 
-    def wetted_surface(self, x: Array, draught: float) -> float:
-        """Of sections at x (stations,): sides and bottom below a draught, in m2, from facets between the sections."""
-        y, zeta = curve_points(*self.shape, _GIRTH_POINTS, self.below_top(draught))
+    def wetted_surface(self, x: Array, heights: ArrayLike) -> float:
+        """Of sections at x (stations,): sides and bottom below heights, in m2, from facets between the sections."""
+        y, zeta = curve_points(*self.shape, _GIRTH_POINTS, self.below_top(heights))
         z = self.top[:, None] - zeta
         corner = np.stack([np.broadcast_to(x[:, None], y.shape), y, z], axis=-1)
         first_diagonal = corner[1:, 1:] - corner[:-1, :-1]
         second_diagonal = corner[1:, :-1] - corner[:-1, 1:]
         facets = np.linalg.norm(np.cross(first_diagonal, second_diagonal), axis=-1) / 2
         # A section wholly above the water has its points gathered at the keel: facets up to it are not wet.
-        wet = self.keel < draught
+        wet = self.keel < np.asarray(heights, dtype=np.float64)
         return float(2 * facets[wet[1:] & wet[:-1]].sum())
 
 
