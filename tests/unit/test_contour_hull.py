@@ -266,3 +266,19 @@ def test_a_single_station_of_two_contours_between_others_leaves_no_edge_of_four_
     assert len(hull.section_curves(88.0)) == 2
     assert mesh.is_watertight
     assert len(crossing_triangles(mesh.vertices, mesh.faces)) == 0
+
+
+def test_a_station_without_breadth_gives_the_line_of_the_stem() -> None:
+    stem = np.array([[0.0, 5.0], [0.0, 9.0]])
+    before = (station(0.0, MIDSHIP), station(50.0, MIDSHIP), station(80.0, bulbous(1.6, 0.5, 4.0)))
+    hull = Hull.from_body_plan(BodyPlan((*before, station(100.0, stem)), "offsets"), Particulars())
+    assert hull.extrapolated == ()
+    assert (hull.keel_height_m[-1], hull.top_height_m[-1]) == pytest.approx((5.0, 9.0))
+    assert hull.sectional_areas()[-1] == 0
+    mesh = hull.mesh()
+    assert mesh.is_watertight
+    # the form ends in an edge, the line that was given
+    end = mesh.vertices[np.abs(mesh.vertices[:, 0] - 100.0) < 1e-9]
+    np.testing.assert_allclose(end[:, 1], 0.0, atol=1e-9)
+    assert (end[:, 2].min(), end[:, 2].max()) == pytest.approx((5.0, 9.0))
+    assert len(crossing_triangles(mesh.vertices, mesh.faces)) == 0

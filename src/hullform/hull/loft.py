@@ -342,9 +342,10 @@ class Hull:
     def section_curves(self, x_m: float, points: int = 121) -> tuple[Array, ...]:
         """The contours (k, 2) [half-breadth, height] in m of the section at an x in m, keel to deck, the lowest first.
 
-        One, or two where the section has a bulb or a gondola apart from the body above it.
+        One, or two where the section has a bulb or a gondola apart from the body above it. points: of a super-ellipse;
+        polyline sections give all that they have, knuckles among them.
         """
-        (section,) = self.section_points(points, x_m)
+        (section,) = self.sections_at(np.atleast_1d(x_m)).mesh_points(points)
         return parted_at_the_centre_line(section)
 
     def mesh(self, points: int = 49) -> trimesh.Trimesh:
