@@ -11,7 +11,7 @@ Faces = NDArray[np.int64]
 # Of the surface's greatest extent: an edge that goes through a triangle by less touches it.
 _TOUCH = 1e-8
 # Of the triangles' mean extent each way: the side of a cell.
-_CELL = 2.0
+_CELL = 3.0
 _PAIRS_AT_ONCE = 500_000
 
 
@@ -26,7 +26,8 @@ def crossing_triangles(vertices: Array, faces: Faces) -> Faces:
     low, high = corner.min(axis=1), corner.max(axis=1)
     tolerance = _TOUCH * float((high.max(axis=0) - low.min(axis=0)).max())
     one, other = _sharing_a_cell(low, high)
-    for lowest, highest in zip(low.T, high.T, strict=True):
+    # x last: most triangles of a hull's frame bay overlap in it
+    for lowest, highest in zip(low.T[::-1], high.T[::-1], strict=True):
         overlap = (lowest[one] <= highest[other]) & (lowest[other] <= highest[one])
         one, other = one[overlap], other[overlap]
     apart = (faces[one][:, :, None] != faces[other][:, None, :]).all(axis=(1, 2))
