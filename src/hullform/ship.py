@@ -15,7 +15,9 @@ from pydantic import Field, PrivateAttr, ValidationError, model_validator
 from hullform.errors import ShipFileError
 from hullform.quantities import NotNegative, Number, Positive, Table
 from hullform.ship_body_plan import BodyPlanSource
+from hullform.ship_excitation import ExcitationInput
 from hullform.ship_faults import fault_line
+from hullform.ship_operation import OperationInput
 from hullform.ship_structure import StructureInput
 from hullform.ship_weights import ConditionInput, WeightsInput
 
@@ -112,6 +114,8 @@ class Ship(Table):
     conditions: tuple[ConditionInput, ...] = ()
     water: Water = Water()
     empirical: EmpiricalInput = EmpiricalInput()
+    excitation: ExcitationInput | None = None
+    operation: OperationInput | None = None
     _path: Path = PrivateAttr(default=Path())
 
     @model_validator(mode="after")
@@ -143,6 +147,12 @@ class Ship(Table):
         light = () if self.weights is None else self.weights.items
         for item in itertools.chain(light, *(condition.items for condition in self.conditions)):
             item.require_within(self.particulars.length_overall_m)
+        return self
+
+    @model_validator(mode="after")
+    def _propeller_and_engine_lie_in_the_ship(self) -> Self:
+        if self.excitation is not None:
+            self.excitation.require_within(self.particulars.length_overall_m)
         return self
 
     @property

@@ -12,7 +12,6 @@ from pydantic import BaseModel
 RESERVED = {
     "body_plan": {"mesh", "offsets"},
     "water": {"depth_m"},
-    "": {"excitation", "operation"},
 }
 
 # Keys that somebody may well try: what to write in their place.

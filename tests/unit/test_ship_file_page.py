@@ -20,6 +20,7 @@ BLOCKS = [(kind, tomllib.loads(text)) for kind, text in EXAMPLE.findall(PAGE)]
 WHOLE_FILES = [document for kind, document in BLOCKS if kind == "ship"]
 STRUCTURES = [document for kind, document in BLOCKS if kind == "structure"]
 LOADED = [document for kind, document in BLOCKS if kind == "condition"]
+IN_SERVICE = [document for kind, document in BLOCKS if kind == "service"]
 CALIBRATIONS = [document for kind, document in BLOCKS if kind == "calibration"]
 
 
@@ -130,6 +131,15 @@ def test_the_list_of_weights_is_accepted_with_the_whole_example() -> None:
     (given,) = LOADED
     (condition,) = Ship.model_validate(document | given).conditions
     assert {item.shape for item in condition.items} == {"sectional-area", "trapezoid", "table"}
+
+
+def test_propeller_engine_and_waves_are_accepted_with_the_whole_example() -> None:
+    document = tomllib.loads(EXAMPLE.findall(PAGE)[-1][1])
+    (given,) = IN_SERVICE
+    ship = Ship.model_validate(document | given)
+    assert ship.excitation is not None
+    assert ship.excitation.orders == (1.0, 2.0)
+    assert ship.operation is not None
 
 
 def test_both_ways_of_calibrating_are_shown() -> None:
