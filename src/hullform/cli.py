@@ -115,6 +115,7 @@ def _review(options: argparse.Namespace) -> int:
 
 def _mesh(options: argparse.Namespace) -> int:
     from hullform.files import refuse_inputs
+    from hullform.hull.crossings import doubts_of_crossing
     from hullform.hull.mesh_files import export_mesh
     from hullform.pipeline import hull_of, trace
     from hullform.ship import read_ship
@@ -127,9 +128,10 @@ def _mesh(options: argparse.Namespace) -> int:
     _progress("fitting sections and lofting the hull")
     hull = hull_of(ship, body_plan)
     export_mesh(hull, output)
+    mesh = hull.mesh()
     _clear_progress()
     print(f"hull of {hull.volume_m3:.6g} m3 to the deck: {output}")
-    return _doubts((*body_plan.doubts, *hull.doubts))
+    return _doubts((*body_plan.doubts, *hull.doubts, *doubts_of_crossing(mesh.vertices, mesh.faces)))
 
 
 def _girder(options: argparse.Namespace) -> int:

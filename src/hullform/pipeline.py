@@ -57,7 +57,7 @@ def hull_of(ship: Ship, body_plan: BodyPlan) -> Hull:
     Raises:
         HullError: the stations make no hull.
     """
-    return Hull.from_body_plan(body_plan, ship.particulars)
+    return Hull.from_body_plan(body_plan, ship.particulars, sections=ship.hull.sections)
 
 
 def girder_of(ship: Ship, hull: Hull, condition: str) -> Girder:

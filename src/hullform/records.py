@@ -39,7 +39,11 @@ class CheckRecord(_Table):
 
 
 class StationRecord(_Table):
-    """A drawn station and its super-ellipse; the ellipse is null where the station is too thin to have a shape."""
+    """A drawn station and the model that stands for it.
+
+    The model is null where the station is too thin to have a shape; p and q are those of a super-ellipse. Errors of the
+    areas below the waterline and to the deck are shares of the drawn ones; the deviation is a Hausdorff distance.
+    """
 
     x_m: Finite
     half: Literal["aft", "fore"]
@@ -49,9 +53,11 @@ class StationRecord(_Table):
     half_breadth_m: Finite
     top_height_m: Finite
     keel_height_m: Finite
+    model: str | None
     p: Finite | None
     q: Finite | None
     area_error: Finite | None
+    area_error_to_deck: Finite | None
     largest_deviation_m: Finite | None
 
 

@@ -99,7 +99,7 @@ def _checks(checks: Iterable[Check]) -> list[CheckRecord]:
 def _hull(run: Run) -> HullRecord:
     records = []
     for station, fitted in zip(run.body_plan.stations, run.hull.fits, strict=True):
-        fit = fitted.fit
+        fit, model = fitted.fit, fitted.model
         records.append(
             StationRecord(
                 x_m=station.x_m,
@@ -110,10 +110,12 @@ def _hull(run: Run) -> HullRecord:
                 half_breadth_m=fitted.half_breadth_m,
                 top_height_m=fitted.top_height_m,
                 keel_height_m=fitted.keel_height_m,
+                model=None if model is None else model.kind,
                 p=None if fit is None else fit.ellipse.p,
                 q=None if fit is None else fit.ellipse.q,
-                area_error=None if fit is None else fit.area_error,
-                largest_deviation_m=None if fit is None else fit.largest_deviation_m,
+                area_error=None if model is None else model.area_error,
+                area_error_to_deck=None if model is None else model.area_error_to_deck,
+                largest_deviation_m=None if model is None else model.largest_deviation_m,
             )
         )
     calibration = run.body_plan.calibration

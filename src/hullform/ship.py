@@ -85,7 +85,9 @@ class Particulars(Table):
 
 
 class HullOptions(Table):
-    """[hull]: reserved for the choice of section models."""
+    """[hull]: which curves stand for the stations, as `hull.ladder` has them."""
+
+    sections: Literal["auto", "super-ellipse", "traced"] = "auto"
 
 
 class Water(Table):

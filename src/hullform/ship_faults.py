@@ -11,7 +11,6 @@ from pydantic import BaseModel
 # Keys that the format keeps for later: refused by name, so that nobody believes that they count.
 RESERVED = {
     "body_plan": {"mesh", "offsets"},
-    "hull": {"sections"},
     "water": {"depth_m"},
 }
 

@@ -12,7 +12,7 @@ pytestmark = pytest.mark.benchmarks
 def hull(stations: int) -> Hull:
     s = np.linspace(-1.0, 1.0, stations)
     one = np.ones(stations)
-    return Hull(
+    return Hull.of_super_ellipses(
         50 * (1 + s), 8 * (1 - s**4), 9 * one, 9 * one, 1 + 8 * (1 - s**2), 1 + 6 * (1 - s**2),
         100.0, 100.0, 0.0, 16.0, 9.0, 6.0,
     )  # fmt: skip

@@ -10,7 +10,9 @@ def wigley(stations: int) -> Hull:
     x = station_places(100.0, stations)
     one = np.ones(stations)
     half_breadth = np.maximum(5.0 * (1 - (x / 50.0 - 1) ** 2), 0.0)
-    return Hull(x, half_breadth, 6.25 * one, 6.25 * one, one, 2 * one, 100.0, 100.0, 0.0, 10.0, 6.25, 6.25)
+    return Hull.of_super_ellipses(
+        x, half_breadth, 6.25 * one, 6.25 * one, one, 2 * one, 100.0, 100.0, 0.0, 10.0, 6.25, 6.25
+    )
 
 
 def test_volume_converges_at_third_order_or_better() -> None:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from reading_accuracy import to_polyline
 
 from hullform.body_plan import Station
+from hullform.hull.crossings import crossing_triangles
 from hullform.hull.loft import Hull
 from hullform.picture.reading import PictureReading, read_picture
 from hullform.ship import read_ship
@@ -200,10 +201,17 @@ def test_a_tunnel_is_followed_over_its_roof(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("fore_most", [bulbous, dome])
-def test_the_hull_of_such_a_picture_is_lofted_with_a_doubt(
+def test_the_hull_of_such_a_picture_is_lofted_whole_and_by_super_ellipses_with_a_doubt(
     tmp_path: Path, fore_most: Callable[[float], Contours]
 ) -> None:
     values = (0.1, -0.1, -0.14) if fore_most is bulbous else (1.2, 0.7, 0.2)
     reading = drawing(tmp_path, AFT, [plain(1.0), plain(0.9), *(fore_most(f) for f in values)])
-    hull = Hull.from_body_plan(reading.body_plan, read_ship(tmp_path / "ship.toml").particulars)
-    assert any("super-ellipse cannot follow" in doubt for doubt in hull.doubts)
+    main = read_ship(tmp_path / "ship.toml").particulars
+    hull = Hull.from_body_plan(reading.body_plan, main)
+    assert not any("super-ellipse" in doubt for doubt in hull.doubts)
+    mesh = hull.mesh()
+    assert mesh.is_watertight
+    assert mesh.volume == pytest.approx(hull.volume_m3, rel=1e-3)
+    assert len(crossing_triangles(mesh.vertices, mesh.faces)) == 0
+    forced = Hull.from_body_plan(reading.body_plan, main, sections="super-ellipse")
+    assert any("super-ellipse cannot follow" in doubt and "'auto'" in doubt for doubt in forced.doubts)

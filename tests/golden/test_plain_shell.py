@@ -26,7 +26,7 @@ TABLES = {"scim-containership": tables.SCIM_CONTAINERSHIP, "ds-tanker": tables.D
 def test_the_papers_ships_have_their_figures(ship: str) -> None:
     x, half_breadth, top, depth, p, q = np.array(TABLES[ship]).T
     main, known = outline(ship).particulars, GOLDEN[ship]
-    hull = Hull(
+    hull = Hull.of_super_ellipses(
         x, half_breadth, depth, top, p, q, main.length_overall_m, main.length_between_perpendiculars_m,
         main.aft_perpendicular_m, main.breadth_m, main.depth_m, main.draught_m,
     )  # fmt: skip

@@ -18,7 +18,7 @@ def wigley(stations: int = 100) -> Hull:
     x = station_places(L, stations)
     half_breadth = np.maximum(B / 2 * (1 - (2 * x / L - 1) ** 2), 0.0)
     one = np.ones(stations)
-    return Hull(x, half_breadth, T * one, T * one, one, 2 * one, L, L, 0.0, B, T, T)
+    return Hull.of_super_ellipses(x, half_breadth, T * one, T * one, one, 2 * one, L, L, 0.0, B, T, T)
 
 
 def test_hydrostatics_at_the_design_draught() -> None:

@@ -25,12 +25,14 @@ def hull(seed: int) -> Hull:
     keel = rng.uniform(0.0, 3.0) * np.maximum(0.0, 0.2 - x / LENGTH) / 0.2
     top = 12 + rng.uniform(0.0, 2.0) * (2 * x / LENGTH - 1) ** 2
     p, q = np.exp(rng.uniform(-0.3, 1.5, (2, 41)).cumsum(axis=1) / np.arange(1, 42))
-    return Hull(x, breadth, top - keel, top, p, q, LENGTH, LENGTH, 0.0, 16.0, 12.0, 6.0)
+    return Hull.of_super_ellipses(x, breadth, top - keel, top, p, q, LENGTH, LENGTH, 0.0, 16.0, 12.0, 6.0)
 
 
 def mirrored(found: Hull) -> Hull:
-    turned = [values[::-1] for values in (found.half_breadth_m, found.depth_m, found.top_height_m, found.p, found.q)]
-    return Hull(LENGTH - found.x_m[::-1], *turned, LENGTH, LENGTH, 0.0, 16.0, 12.0, 6.0)
+    turned = [
+        values[::-1] for values in (found.half_breadth_m, found.depth_m, found.top_height_m, *found.sections.shape[2:])
+    ]
+    return Hull.of_super_ellipses(LENGTH - found.x_m[::-1], *turned, LENGTH, LENGTH, 0.0, 16.0, 12.0, 6.0)
 
 
 def cargo(mass_kg: float, centre_m: float) -> Distribution:

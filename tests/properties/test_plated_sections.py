@@ -22,7 +22,7 @@ def hull(p: float, q: float, scale: float = 1.0) -> Hull:
     shape = 1 - 0.9995 * np.abs(2 * x / LENGTH - 1) ** 3
     top = DEPTH + 2 * (x / LENGTH) ** 2
     lengths = (x, BREADTH / 2 * shape, top * shape, top)
-    return Hull(
+    return Hull.of_super_ellipses(
         *(scale * values for values in lengths), 0.4 + (p - 0.4) * shape, 0.5 + (q - 0.5) * shape,
         scale * LENGTH, scale * LENGTH, 0.0, scale * BREADTH, scale * DEPTH, scale * 8.0,
     )  # fmt: skip

@@ -13,7 +13,7 @@ EXPONENT = 1e5
 
 def box_barge(stations: int = 41) -> Hull:
     one = np.ones(stations)
-    return Hull(
+    return Hull.of_super_ellipses(
         np.linspace(0.0, LENGTH_M, stations), BREADTH_M / 2 * one, DEPTH_M * one, DEPTH_M * one, EXPONENT * one,
         EXPONENT * one, LENGTH_M, LENGTH_M, 0.0, BREADTH_M, DEPTH_M, 4.0,
     )  # fmt: skip

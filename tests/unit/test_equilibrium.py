@@ -15,7 +15,7 @@ def parabolic_hull() -> Hull:
     x = np.linspace(0.0, 100.0, 101)
     parabola = 1 - (2 * x / 100 - 1) ** 2
     one = np.ones(101)
-    return Hull(x, 5 * parabola, 9 * one, 9 * one, one, 2 * one, 100, 100, 0, 10, 9, 6)
+    return Hull.of_super_ellipses(x, 5 * parabola, 9 * one, 9 * one, one, 2 * one, 100, 100, 0, 10, 9, 6)
 
 
 @pytest.mark.parametrize("lever", [-9.0, -2.5, 0.0, 0.3, 8.0])

@@ -13,7 +13,7 @@ from hullform.hull import Hull, export_mesh
 def hull_of(half_breadth: list[float], keel: list[float], p: float = 2.0, q: float = 2.0, top: float = 8.0) -> Hull:
     n = len(half_breadth)
     one = np.ones(n)
-    return Hull(
+    return Hull.of_super_ellipses(
         np.linspace(0.0, 60.0, n), np.array(half_breadth), top - np.array(keel), top * one, p * one, q * one,
         60.0, 60.0, 0.0, 10.0, 8.0, 4.0,
     )  # fmt: skip
@@ -62,7 +62,7 @@ def test_mesh_of_a_lofted_hull_has_the_volume_of_its_sections(
     full = 1 - SMOOTH**4
     p, q = (np.exp(np.log(end) * (1 - full) + np.log(mid) * full) for end, mid in zip(ends, middle, strict=True))
     top = 8.0 + 0.5 * SMOOTH**2
-    hull = Hull(
+    hull = Hull.of_super_ellipses(
         30.0 * (1 + SMOOTH), end_breadth + (5.0 - end_breadth) * full, (8.0 - keel_rise * SMOOTH**6) + top - 8.0, top,
         p, q, 60.0, 60.0, 0.0, 10.0, 8.0, 4.0,
     )  # fmt: skip

@@ -5,14 +5,14 @@ import pytest
 
 from hullform.errors import HullError
 from hullform.hull import Hull, Sections
-from hullform.hull.hydrostatics import buoyancy, sectional_areas
+from hullform.hull.hydrostatics import buoyancy
 
 
 def barge(exponent: float = 1e5, **changes: float) -> Hull:
     x = np.linspace(0.0, 80.0, 41)
     one = np.ones(41)
     values = {"length": 80.0, "aft_perpendicular": 0.0, "depth": 8.0} | changes
-    return Hull(
+    return Hull.of_super_ellipses(
         x, 6.0 * one, 8.0 * one, 8.0 * one, exponent * one, exponent * one, 80.0, values["length"],
         values["aft_perpendicular"], 12.0, 8.0, 4.0,
     )  # fmt: skip
@@ -43,7 +43,7 @@ def test_a_counter_above_the_water_displaces_nothing() -> None:
     x = np.linspace(0.0, 80.0, 81)
     keel = np.where(x < 20.0, 6.0, 0.0)
     one = np.ones(81)
-    hull = Hull(x, 6.0 * one, 8.0 - keel, 8.0 * one, 1e4 * one, 1e4 * one, 80, 80, 0, 12.0, 8.0, 4.0)
+    hull = Hull.of_super_ellipses(x, 6.0 * one, 8.0 - keel, 8.0 * one, 1e4 * one, 1e4 * one, 80, 80, 0, 12.0, 8.0, 4.0)
     # Between the last station aft, at 19 m, and 20 m the keel comes down: the volume begins somewhere there.
     assert 60 * 48 < hull.hydrostatics(4.0).volume_m3 * (1 + 1e-3) < 61 * 48
     areas = hull.sectional_areas(4.0)
@@ -65,12 +65,12 @@ def test_kernels_take_many_hulls_at_once() -> None:
     many = Sections(a, depth, np.full((3, 21), 7.0), p, q)
     draught = np.array([[3.0], [4.0], [5.0]])
     together = buoyancy(x, many, draught)
-    areas = sectional_areas(many, draught)
+    areas = many.areas_below(draught)
     for i in range(3):
         one = Sections(*(field[i] for field in many))
         for field, alone in zip(together, buoyancy(x, one, draught[i]), strict=True):
             assert field[i] == pytest.approx(float(alone), rel=1e-12)
-        np.testing.assert_allclose(areas[i], sectional_areas(one, draught[i]), rtol=1e-12)
+        np.testing.assert_allclose(areas[i], one.areas_below(draught[i]), rtol=1e-12)
 
 
 @pytest.mark.parametrize("draught", [0.0, -1.0, 8.2, float("nan")])

@@ -66,15 +66,15 @@ def test_drawn_sections_come_back_and_nothing_overshoots() -> None:
     assert [fit.x_m for fit in hull.fits] == [0.0, 10.0, 30.0, 70.0, 90.0, 100.0]
     body = (hull.x_m > 31.0) & (hull.x_m < 69.0)
     np.testing.assert_allclose(hull.half_breadth_m[body], 8.0, rtol=1e-3)
-    np.testing.assert_allclose(hull.p[body], 8.0, rtol=0.02)
+    np.testing.assert_allclose(hull.sections.p[body], 8.0, rtol=0.02)
     np.testing.assert_allclose(hull.depth_m[body], 9.0, rtol=1e-3)
     fine = hull.sections_at(10.0)
     # The hundred sections do not include x = 10 m: the cubic between them is off by the square of their 0.9 m spacing.
     np.testing.assert_allclose([fine.half_breadth, fine.p, fine.q], [4.0, 0.8, 1.2], rtol=0.01)
     assert hull.half_breadth_m.max() < 8.0 * 1.001
     assert hull.keel_height_m.min() > -0.01
-    assert hull.p.min() > 0.79
-    assert hull.p.max() < 8.2
+    assert hull.sections.p.min() > 0.79
+    assert hull.sections.p.max() < 8.2
 
 
 def test_a_station_without_breadth_keeps_its_heights_and_its_neighbours_exponents() -> None:
@@ -83,7 +83,7 @@ def test_a_station_without_breadth_keeps_its_heights_and_its_neighbours_exponent
     assert hull.half_breadth_m[-1] == pytest.approx(0.0, abs=1e-12)
     assert hull.depth_m[-1] == pytest.approx(9.0)
     ahead = hull.x_m > 90.0
-    np.testing.assert_allclose(hull.p[ahead], hull.p[ahead][-1], rtol=1e-6)
+    np.testing.assert_allclose(hull.sections.p[ahead], hull.sections.p[ahead][-1], rtol=1e-6)
 
 
 def test_stations_that_share_a_curve_are_fitted_alike() -> None:
@@ -132,7 +132,7 @@ def test_extrapolated_breadths_never_grow_and_heights_stay_near() -> None:
 def test_arrays_are_read_only() -> None:
     hull = Hull.from_body_plan(ship(), Particulars())
     with pytest.raises(ValueError, match="read-only"):
-        hull.p[0] = 1.0
+        hull.sections.p[0] = 1.0
 
 
 def test_a_station_outside_the_ship_is_named() -> None:
@@ -176,7 +176,7 @@ def test_impossible_hulls_are_refused(change: dict[str, list[float]], what: str)
         "q": [1.0, 1.0, 1.0],
     } | change
     with pytest.raises(HullError, match=what):
-        Hull(**{k: np.array(v) for k, v in values.items()}, **PARTICULARS)
+        Hull.of_super_ellipses(**{k: np.array(v) for k, v in values.items()}, **PARTICULARS)
 
 
 PARTICULARS = {

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from hullform.hull.contours import Contours
 from hullform.hull.loft import Hull
 from hullform.report.hull_view import ANTIFOULING, DECK, surface
 
@@ -18,7 +19,7 @@ def hull() -> Hull:
     x = np.linspace(0.0, 100.0, 100)
     along = x / 100.0
     keel = 7.0 * np.clip(1 - along / 0.15, 0.0, 1.0) ** 2
-    return Hull(
+    return Hull.of_super_ellipses(
         x_m=x,
         half_breadth_m=8.0 * np.minimum(1.0, 0.2 + 2.0 * (1 - along)) * np.minimum(1.0, 0.7 + 2.0 * along),
         depth_m=10.0 - keel,
@@ -67,3 +68,16 @@ def test_deck_faces_up_and_the_whole_stays_small(hull: Hull) -> None:
     a, b, c = np.moveaxis(deck.grid.reshape(-1, 3)[deck.faces], 1, 0)
     assert (np.cross(b - a, c - a)[:, 2] > 0).all()
     assert sum(len(patch.faces) for patch in patches) <= 15_000
+
+
+def test_there_is_no_plate_between_a_bulb_and_the_stem() -> None:
+    bulb = np.array([[0.0, 1.0], [1.5, 1.5], [2.0, 3.0], [0.0, 5.0], [0.0, 8.0], [1.0, 9.0], [3.0, 12.0]])
+    bow = Hull(np.array([90.0, 95.0, 100.0]), Contours(np.stack([bulb] * 3)), 100.0, 100.0, 0.0, 16.0, 12.0, DRAUGHT_M)
+    for patch in surface(bow, DRAUGHT_M):
+        corner = patch.grid.reshape(-1, 3)[patch.faces]
+        assert (np.abs(corner[..., 1]).max(axis=1) > 0).all()
+    sides = [patch for patch in surface(bow, DRAUGHT_M) if patch.colour == ANTIFOULING]
+    assert sum(len(patch.faces) for patch in sides) > 0
+    # both parts have their whole surface, the bulb's and the flare's, and nothing spans the gap from 5 to 8 m
+    heights = np.concatenate([(p.grid.reshape(-1, 3)[p.faces])[..., 2] for p in sides])
+    assert not ((heights.min(axis=1) < 4.9) & (heights.max(axis=1) > 5.1)).any()

@@ -15,6 +15,7 @@ import pytest
 
 from hullform import checks, rest_checks, wet_checks
 from hullform.body_plan import BodyPlan, Station, TracedCurve
+from hullform.hull import Hull
 from hullform.in_service import in_service as hold_in_service
 from hullform.loading.structure import structure_of
 from hullform.outcome import Run
@@ -110,6 +111,17 @@ def test_report_and_figures_are_written(run: Run, tmp_path: Path) -> None:
     }  # fmt: skip
     # the limit that the design sets for a page that is mailed about
     assert (tmp_path / "report.html").stat().st_size < 8e6
+
+
+def test_stations_have_the_names_and_errors_of_their_models(run: Run, page: str) -> None:
+    assert "Each traced station is replaced by a super-ellipse" in page
+    assert page.count(">super-ellipse</td>") == 10
+    traced = Hull.from_body_plan(_sections(), run.ship.particulars, sections="traced")
+    text = render(replace(run, hull=traced), draw_pictures(replace(run, hull=traced)), "")
+    assert "(spline: 10)" in text
+    assert text.count(">spline</td>") == 10
+    worst = max(fit.model.largest_deviation_m for fit in traced.fits if fit.model is not None)
+    assert f"<td>{significant(round(100 * worst / 32.2, 3))}</td>" in text
 
 
 def test_a_ship_that_does_not_float_right_has_a_banner_and_one_that_does_has_none(run: Run) -> None:

@@ -131,7 +131,7 @@ def test_the_aft_perpendicular_is_at_the_aft_end_where_the_lengths_agree(tmp_pat
         ),
         ("[weights]", "[weights]\n[excitation]", "excitation.shaft_speed_rpm: is missing"),
         ("[body_plan]", "[body_plan]\nmesh = 'x.stl'", "body_plan.mesh: is reserved for a later version"),
-        ("[structure]", "[hull]\nsections = 'auto'\n[structure]", "hull.sections: is reserved for a later version"),
+        ("[structure]", "[hull]\nsections = 'ellipse'\n[structure]", "hull.sections = 'ellipse': "),
         ("[ship]", "ship = 3\n[other]", "ship = 3: "),
         ("schema = 1", "schema = ", "is no TOML"),
         ("[structure]", "[structure]\nscantlings = 'net'", 'structure: scantlings = "net" needs corrosion_margin_m'),

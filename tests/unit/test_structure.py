@@ -25,7 +25,7 @@ def hull(exponent: float, fineness: float = 0.0) -> Hull:
     """A barge, or a hull that narrows to both ends and rises at them."""
     x = np.linspace(0.0, LENGTH, 41)
     shape = 1 - fineness * (2 * x / LENGTH - 1) ** 4
-    return Hull(
+    return Hull.of_super_ellipses(
         x, BREADTH / 2 * shape, DEPTH * shape, np.full(41, DEPTH), np.full(41, exponent), np.full(41, exponent),
         LENGTH, LENGTH, 0.0, BREADTH, DEPTH, 8.0,
     )  # fmt: skip

@@ -26,7 +26,9 @@ def wedge() -> Hull:
     """A box whose breadth grows evenly from nothing at the aft end."""
     x = np.linspace(0.0, LENGTH_M, 41)
     one = np.ones(41)
-    return Hull(x, 6 * x / LENGTH_M, 8 * one, 8 * one, 1e5 * one, 1e5 * one, LENGTH_M, LENGTH_M, 0.0, 12.0, 8.0, 4.0)
+    return Hull.of_super_ellipses(
+        x, 6 * x / LENGTH_M, 8 * one, 8 * one, 1e5 * one, 1e5 * one, LENGTH_M, LENGTH_M, 0.0, 12.0, 8.0, 4.0
+    )
 
 
 @pytest.mark.parametrize(
@@ -70,6 +72,6 @@ def test_an_item_where_the_hull_has_no_section_is_refused() -> None:
     x = np.linspace(0.0, LENGTH_M, 41)
     keel = np.where(x < 20.0, 6.0, 0.0)
     one = np.ones(41)
-    counter = Hull(x, 6 * one, 8 - keel, 8 * one, 1e4 * one, 1e4 * one, 80, 80, 0, 12.0, 8.0, 4.0)
+    counter = Hull.of_super_ellipses(x, 6 * one, 8 - keel, 8 * one, 1e4 * one, 1e4 * one, 80, 80, 0, 12.0, 8.0, 4.0)
     with pytest.raises(LoadingError, match=r"item: nothing to spread 250 t over between x = 2 and 17 m"):
         along(counter, shape="sectional-area", from_m=2.0, to_m=17.0)

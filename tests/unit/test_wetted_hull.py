@@ -20,7 +20,9 @@ def raked() -> Hull:
     keel = 8.0 * np.clip(1 - t / 0.25, 0, 1) ** 2 + 7.0 * np.clip((t - 0.8) / 0.2, 0, 1) ** 2
     fine = 1.5 + 3.0 * np.sin(np.pi * t) ** 2
     half = 8.0 * np.minimum(1.0, 0.2 + 4 * t) * np.sqrt(np.clip(5 * (1 - t), 0, 1))
-    return Hull(x, half, np.maximum(8.0 - keel, 0.0), np.full(61, 8.0), fine, fine, 100.0, 90.0, 5.0, 16.0, 8.0, 5.0)
+    return Hull.of_super_ellipses(
+        x, half, np.maximum(8.0 - keel, 0.0), np.full(61, 8.0), fine, fine, 100.0, 90.0, 5.0, 16.0, 8.0, 5.0
+    )
 
 
 def test_box() -> None:
@@ -71,7 +73,7 @@ def test_of_two_wet_stretches_the_longer_is_taken() -> None:
     x = np.linspace(0.0, 100.0, 101)
     keel = np.where((x > 30) & (x < 40), 6.0, 0.0)
     one = np.ones(101)
-    hull = Hull(x, 5 * one, 8 - keel, 8 * one, 4 * one, 4 * one, 100.0, 100.0, 0.0, 10.0, 8.0, 4.0)
+    hull = Hull.of_super_ellipses(x, 5 * one, 8 - keel, 8 * one, 4 * one, 4 * one, 100.0, 100.0, 0.0, 10.0, 8.0, 4.0)
     sections = wetted_sections(hull, hull.waterline(4.0, 4.0))
     assert 39.0 < sections.x_m[0] < 40.5
     assert sections.x_m[-1] == 100.0

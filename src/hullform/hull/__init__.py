@@ -1,15 +1,19 @@
 """Sections and the hull: from the stations of a body plan to a closed form that floats."""
 
+from hullform.hull.contours import Contours
 from hullform.hull.drawn import Extrapolation, FittedStation
 from hullform.hull.equilibrium import FloatingPosition, Waterline
 from hullform.hull.fitting import SectionFit, fit_super_ellipse
-from hullform.hull.hydrostatics import Hydrostatics
+from hullform.hull.hydrostatics import BonjeanCurves, Hydrostatics
+from hullform.hull.ladder import SectionModel
 from hullform.hull.loft import Hull, Particulars
 from hullform.hull.mesh_files import export_mesh
 from hullform.hull.sections import Sections
 from hullform.hull.super_ellipse import ShellSection, SuperEllipse, shell_section
 
 __all__ = [
+    "BonjeanCurves",
+    "Contours",
     "Extrapolation",
     "FittedStation",
     "FloatingPosition",
@@ -17,6 +21,7 @@ __all__ = [
     "Hydrostatics",
     "Particulars",
     "SectionFit",
+    "SectionModel",
     "Sections",
     "ShellSection",
     "SuperEllipse",

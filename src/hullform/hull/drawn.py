@@ -12,7 +12,9 @@ from scipy.interpolate import PchipInterpolator
 
 from hullform.body_plan import BodyPlan, Half, Station
 from hullform.errors import HullError
-from hullform.hull.fitting import SectionFit, fit_super_ellipse
+from hullform.hull.fitting import SectionFit
+from hullform.hull.ladder import Choice, SectionModel, chosen_model, super_ellipse_model
+from hullform.hull.outlines import contours_of
 from hullform.hull.sections import Sections
 
 Array = NDArray[np.float64]
@@ -30,15 +32,29 @@ _EXTRAPOLATION_TOLERANCE = 0.03
 
 @dataclass(frozen=True, slots=True)
 class FittedStation:
-    """A drawn station and its fit; fit is None where the station is too thin to have a shape."""
+    """A drawn station, its contours (`outlines.contours_of`), and the model that stands for it.
+
+    The model is None where the station is too thin to have a shape.
+    """
 
     x_m: float
     half: Half
     name: str
-    fit: SectionFit | None
+    model: SectionModel | None
+    contours: tuple[Array, ...]
     half_breadth_m: float
     top_height_m: float
     keel_height_m: float
+
+    @property
+    def fit(self) -> SectionFit | None:
+        """The super-ellipse, where that is the model."""
+        return None if self.model is None else self.model.ellipse
+
+    @property
+    def outline(self) -> Array:
+        """(k, 2) [half-breadth, height] from keel to deck, of the model or as drawn, contour after contour."""
+        return np.concatenate(self.contours if self.model is None else self.model.contours)
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,36 +65,46 @@ class Extrapolation:
     to_m: float
 
 
-def fit_stations(body_plan: BodyPlan, breadth_m: float) -> tuple[FittedStation, ...]:
-    """Fit every drawn station; stations that share a curve share its fit."""
+def fit_stations(
+    body_plan: BodyPlan, breadth_m: float, draught_m: float, choice: Choice = "auto"
+) -> tuple[FittedStation, ...]:
+    """Find the model of every drawn station (`ladder`); stations that share a curve share its model.
+
+    Raises:
+        HullError: a station has no shape; the message names it.
+    """
     known: dict[bytes, FittedStation] = {}
     fitted = []
     for station in body_plan.stations:
-        points = station_points(station)
-        found = known.get(points.tobytes())
+        contours = contours_of(station)
+        key = b"|".join(points.tobytes() for points in contours)
+        found = known.get(key)
         if found is None:
-            found = _fit(station, points, THINNEST_FITTED * breadth_m / 2)
-            known[points.tobytes()] = found
+            try:
+                found = _fit(station, contours, breadth_m, draught_m, choice)
+            except HullError as error:
+                raise HullError(
+                    f"station {station.name} ({station.half} half, x = {station.x_m:g} m): {error}"
+                ) from error
+            known[key] = found
         fitted.append(replace(found, x_m=station.x_m, half=station.half, name=station.name))
     return tuple(fitted)
 
 
-def station_points(station: Station) -> Array:
-    """Points (n, 2) of all curves of a station, the lowest curve first."""
-    curves = sorted(station.curves, key=lambda curve: float(curve.height_m.min()))
-    return np.concatenate([curve.points for curve in curves])
-
-
-def _fit(station: Station, points: Array, thinnest: float) -> FittedStation:
+def _fit(
+    station: Station, contours: tuple[Array, ...], breadth_m: float, draught_m: float, choice: Choice
+) -> FittedStation:
     place = station.x_m, station.half, station.name
-    y, z = points.T
-    if y.max() <= thinnest:
-        return FittedStation(*place, None, max(float(y.max()), 0.0), float(z.max()), float(z.min()))
-    try:
-        fit = fit_super_ellipse(points)
-    except HullError as error:
-        raise HullError(f"station {station.name} ({station.half} half, x = {station.x_m:g} m): {error}") from error
-    return FittedStation(*place, fit, fit.ellipse.half_breadth, fit.top_height_m, fit.keel_height_m)
+    y, z = np.concatenate(contours).T
+    extent = max(float(y.max()), 0.0), float(z.max()), float(z.min())
+    if y.max() <= THINNEST_FITTED * breadth_m / 2:
+        return FittedStation(*place, None, contours, *extent)
+    first = super_ellipse_model(contours, breadth_m, draught_m)
+    model = chosen_model(contours, breadth_m, draught_m, choice, first)
+    if model.ellipse is not None:
+        fit = model.ellipse
+        extent = fit.ellipse.half_breadth, fit.top_height_m, fit.keel_height_m
+    return FittedStation(*place, model, contours, *extent)
 
 
 def merge_halves(
@@ -98,14 +124,16 @@ def merge_halves(
                 "stations' x"
             )
         a, top, keel = (float(v) for v in extent.mean(axis=0))
-        merged.append(FittedStation(x, same[0].half, same[0].name, _mean_fit(same), a, top, keel))
+        best = min(same, key=_miss)
+        merged.append(replace(best, half_breadth_m=a, top_height_m=top, keel_height_m=keel))
     return tuple(merged), tuple(doubts)
 
 
-def _mean_fit(stations: Sequence[FittedStation]) -> SectionFit | None:
-    """The fit whose exponents stand for all: the one that misses its points the least."""
-    fits = [station.fit for station in stations if station.fit is not None]
-    return min(fits, key=lambda fit: fit.rms_m) if fits else None
+def _miss(station: FittedStation) -> float:
+    """By which the fit that stands for all halves is found: the one that misses its points the least."""
+    if station.fit is not None:
+        return station.fit.rms_m
+    return np.inf if station.model is None else station.model.largest_deviation_m
 
 
 def station_places(length_m: float, count: int) -> Array:
@@ -120,10 +148,8 @@ def station_places(length_m: float, count: int) -> Array:
     return x
 
 
-def lofted_sections(
-    stations: Sequence[FittedStation], x: Array, length_m: float
-) -> tuple[Sections, tuple[Extrapolation, ...], tuple[str, ...]]:
-    """Interpolate fitted stations, one per x, to the places x; return the sections, what is extrapolated, doubts.
+def lofted_super_ellipses(stations: Sequence[FittedStation], x: Array) -> Sections:
+    """Interpolate stations that are super-ellipses, one per x, to the places x.
 
     Between drawn stations half-breadth, top and keel height and the logarithms of p and q follow monotone cubics.
     Beyond the outermost ones the half-breadth follows the parabola through the last three, held to 0..its last value
@@ -137,13 +163,18 @@ def lofted_sections(
             f"a hull needs three or more stations at different x, one of them with a shape; the body plan has "
             f"{len(stations)} and {len(shaped)}"
         )
-    a = _with_ends(drawn_x, np.array([station.half_breadth_m for station in stations]), x, _outer_breadths)
-    top = _with_ends(drawn_x, np.array([station.top_height_m for station in stations]), x, _outer_heights)
-    keel = _with_ends(drawn_x, np.array([station.keel_height_m for station in stations]), x, _outer_heights)
+    a = with_ends(drawn_x, np.array([station.half_breadth_m for station in stations]), x, outer_breadths)
+    top = with_ends(drawn_x, np.array([station.top_height_m for station in stations]), x, outer_heights)
+    keel = with_ends(drawn_x, np.array([station.keel_height_m for station in stations]), x, outer_heights)
     shaped_x = np.array([station.x_m for station in shaped])
     exponents = np.log([[s.fit.ellipse.p, s.fit.ellipse.q] for s in shaped if s.fit is not None])
     inside = np.clip(x, shaped_x[0], shaped_x[-1])
     p, q = np.exp(PchipInterpolator(shaped_x, exponents)(inside) if len(shaped) > 1 else exponents[[0] * len(x)]).T
+    return Sections(np.maximum(a, 0.0), np.maximum(top - keel, 0.0), top, p, q)
+
+
+def extrapolated_spans(drawn_x: Array, length_m: float) -> tuple[tuple[Extrapolation, ...], tuple[str, ...]]:
+    """The spans outside the outermost of stations at drawn_x, increasing, and a doubt for each long one."""
     ends = (Extrapolation(0.0, float(drawn_x[0])), Extrapolation(float(drawn_x[-1]), length_m))
     spans = tuple(span for span in ends if span.to_m - span.from_m > 1e-6 * length_m)
     doubts = tuple(
@@ -152,21 +183,24 @@ def lofted_sections(
         for span in spans
         if span.to_m - span.from_m > _EXTRAPOLATION_TOLERANCE * length_m
     )
-    return Sections(np.maximum(a, 0.0), np.maximum(top - keel, 0.0), top, p, q), spans, doubts
+    return spans, doubts
 
 
-def _outer_breadths(drawn_x: Array, values: Array, x: Array) -> Array:
+def outer_breadths(drawn_x: Array, values: Array, x: Array) -> Array:
+    """Beyond the foremost: by the parabola through the last three, held to 0..the last and never growing."""
     parabola = np.polynomial.Polynomial.fit(drawn_x[-3:], values[-3:], 2)
     return np.minimum.accumulate(np.clip(parabola(x), 0.0, values[-1]))
 
 
-def _outer_heights(drawn_x: Array, values: Array, x: Array) -> Array:
+def outer_heights(drawn_x: Array, values: Array, x: Array) -> Array:
+    """Beyond the foremost: on in a straight line, by no more than the last step."""
     step = values[-1] - values[-2]
     change = step * (x - drawn_x[-1]) / (drawn_x[-1] - drawn_x[-2])
     return np.asarray(values[-1] + np.clip(change, -abs(step), abs(step)))
 
 
-def _with_ends(drawn_x: Array, values: Array, x: Array, outer: Callable[[Array, Array, Array], Array]) -> Array:
+def with_ends(drawn_x: Array, values: Array, x: Array, outer: Callable[[Array, Array, Array], Array]) -> Array:
+    """Values at drawn_x by monotone cubics at x, and by `outer` beyond the outermost."""
     result = np.asarray(PchipInterpolator(drawn_x, values)(np.clip(x, drawn_x[0], drawn_x[-1])), dtype=np.float64)
     aft, fore = x < drawn_x[0], x > drawn_x[-1]
     if aft.any():

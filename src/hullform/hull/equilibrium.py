@@ -10,8 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
 from hullform.errors import HullError
-from hullform.hull.hydrostatics import sectional_areas, waterline_half_breadths
-from hullform.hull.sections import Sections, interpolated, quadrature
+from hullform.hull.sections import SectionSet, quadrature
 
 Array = NDArray[np.float64]
 
@@ -95,18 +94,22 @@ class _Misfit(NamedTuple):
         return float(np.abs(self.missing).sum())
 
 
-def immersed_areas(sections: Sections, heights: ArrayLike) -> Array:
+def immersed_areas(sections: SectionSet, heights: ArrayLike) -> Array:
     """Areas in m2 of sections below heights in m (broadcast); above the deck the sides go on upright.
 
     So a hull that was drawn to her waterline floats, and a deck under water makes no hole in the buoyancy; what is
     above the deck is for the caller to tell, by `FloatingPosition.least_freeboard_m`.
     """
-    above_deck = np.maximum(np.asarray(heights) - sections.top, 0.0)
-    return sectional_areas(sections, heights) + 2 * sections.half_breadth * above_deck
+    return sections.areas_below(heights) + _above_deck(sections, heights)
+
+
+def _above_deck(sections: SectionSet, heights: ArrayLike) -> Array:
+    """Areas between upright sides above the deck, up to heights."""
+    return 2 * sections.half_breadth * np.maximum(np.asarray(heights) - sections.top, 0.0)
 
 
 def equilibrium(
-    x: Array, sections: Sections, level: Waterline, volume: float, lcg_x_m: float, deck_tolerance_m: float
+    x: Array, sections: SectionSet, level: Waterline, volume: float, lcg_x_m: float, deck_tolerance_m: float
 ) -> Waterline:
     """The waterline that has a volume in m3 below it, with its centre at an x in m.
 
@@ -127,7 +130,7 @@ def equilibrium(
     if not np.isfinite(volume) or volume <= 0:
         raise HullError(f"a displaced volume of {volume:g} m3 has no draught; give a positive one")
     place, weight = quadrature(x)
-    between = interpolated(x, sections, place)
+    between = sections.interpolated(x, place)
     midships = level.aft_perpendicular_m + level.length_between_perpendiculars_m / 2
     half_length = float(x[-1] - x[0]) / 2
     lever = (place - midships) / half_length
@@ -135,8 +138,9 @@ def equilibrium(
 
     def misfit(position: Array) -> _Misfit:
         heights = position[0] + position[1] * lever
-        area = immersed_areas(between, heights) * weight
-        breadth = 2 * waterline_half_breadths(between, heights, np.inf) * weight
+        under = between.cut(heights)
+        area = (under.area + _above_deck(between, heights)) * weight
+        breadth = 2 * under.half_breadth * weight
         first = float(breadth @ lever)
         rise = np.array([[breadth.sum(), first], [first, breadth @ lever**2]])
         return _Misfit(np.array([volume - area.sum(), moment - area @ lever]), rise)
@@ -171,14 +175,14 @@ def equilibrium(
     return replace(level, draught_m=float(position[0]), slope=slope)
 
 
-def floating_position(x: Array, sections: Sections, waterline: Waterline) -> FloatingPosition:
+def floating_position(x: Array, sections: SectionSet, waterline: Waterline) -> FloatingPosition:
     """What lies below a waterline.
 
     Raises:
         HullError: nothing does.
     """
     place, weight = quadrature(x)
-    area = immersed_areas(interpolated(x, sections, place), waterline.heights(place)) * weight
+    area = immersed_areas(sections.interpolated(x, place), waterline.heights(place)) * weight
     volume = float(area.sum())
     if volume <= 0:
         raise HullError(

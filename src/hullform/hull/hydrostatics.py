@@ -11,13 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
 from hullform.errors import HullError
-from hullform.hull.arcs import curve_points
-from hullform.hull.sections import Sections, interpolated, quadrature
-from hullform.hull.super_ellipse import half_breadth_at, moment_below
+from hullform.hull.sections import SectionSet, quadrature
 
 Array = NDArray[np.float64]
-
-_GIRTH_POINTS = 41  # a section's polygon is then shorter than the curve by less than 1e-3
 
 
 class Buoyancy(NamedTuple):
@@ -38,8 +34,10 @@ class Buoyancy(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Hydrostatics:
-    """A hull on even keel at one draught. SI; x from the aft end of the length overall, z from the base line.
+    """A hull below one waterline. SI; x from the aft end of the length overall, z from the base line.
 
+    The draught is that halfway between the perpendiculars; the trim is positive by the stern. Of a waterline that is
+    not level the waterplane is its projection on the base plane, and lengths are measured along the base line.
     Coefficients use the length between perpendiculars, the moulded breadth and the draught; midships is halfway
     between the perpendiculars. The wetted surface has no transom or other end faces.
     """
@@ -61,53 +59,42 @@ class Hydrostatics:
     midship_coefficient: float
     prismatic_coefficient: float
     waterplane_coefficient: float
+    trim_m: float = 0.0
 
 
-def sectional_areas(sections: Sections, draught: ArrayLike | None = None) -> Array:
-    """Area in m2 of each section below a draught in m above the base line (broadcast), or of the whole section."""
-    level = 0.0 if draught is None else sections.below_top(draught)
-    return moment_below(*sections.shape, level)
+class BonjeanCurves(NamedTuple):
+    """Sections' areas up to a set of heights.
+
+    x_m (stations,), height_m (heights,) above the base line, area_m2 (stations, heights) of both sides, and
+    moment_m3 (stations, heights), their first moments about the base line.
+    """
+
+    x_m: Array
+    height_m: Array
+    area_m2: Array
+    moment_m3: Array
 
 
-def waterline_half_breadths(sections: Sections, draught: ArrayLike, deck_tolerance: float) -> Array:
-    """Half-breadth in m at a draught; 0 where the keel lies above it or the top more than the tolerance (m) below."""
-    afloat = half_breadth_at(*sections.shape, sections.below_top(draught))
-    return np.where(np.asarray(draught) > sections.top + deck_tolerance, 0.0, afloat)
-
-
-def buoyancy(x: Array, sections: Sections, draught: ArrayLike, deck_tolerance: float = 0.0) -> Buoyancy:
+def buoyancy(x: Array, sections: SectionSet, draught: ArrayLike, deck_tolerance: float = 0.0) -> Buoyancy:
     """Integrate volume and waterplane of sections (..., stations) at x (stations,) below a draught in m.
 
+    draught: of all places alike, or at those of `quadrature(x)` for a waterline that is not level.
     deck_tolerance: depth in m by which a draught may exceed a section's top and still count as a draught at its top.
     """
     place, weight = quadrature(x)
-    between = interpolated(x, sections, place)
-    level = between.below_top(draught)
-    area = moment_below(*between.shape, level)
-    first = moment_below(*between.shape, level, 1)
-    y = waterline_half_breadths(between, draught, deck_tolerance)
+    between = sections.interpolated(x, place)
+    under = between.cut(draught)
+    afloat = np.asarray(draught) <= between.top + deck_tolerance
+    y, cubed = (np.where(afloat, values, 0.0) for values in (under.half_breadth, under.half_breadth_cubed))
     return Buoyancy(
-        volume=area @ weight,
-        moment_x=area @ (weight * place),
-        moment_z=(between.top * area - first) @ weight,
+        volume=under.area @ weight,
+        moment_x=under.area @ (weight * place),
+        moment_z=under.moment_z @ weight,
         waterplane_area=2 * y @ weight,
         waterplane_moment_x=2 * y @ (weight * place),
-        waterplane_transverse=2 / 3 * y**3 @ weight,
+        waterplane_transverse=2 / 3 * cubed @ weight,
         waterplane_longitudinal=2 * y @ (weight * place**2),
     )
-
-
-def wetted_surface(x: Array, sections: Sections, draught: float) -> float:
-    """Area in m2 of the sides and bottom below a draught, end faces left out, from facets between the sections."""
-    y, zeta = curve_points(*sections.shape, _GIRTH_POINTS, sections.below_top(draught))
-    z = sections.top[:, None] - zeta
-    corner = np.stack([np.broadcast_to(x[:, None], y.shape), y, z], axis=-1)
-    first_diagonal = corner[1:, 1:] - corner[:-1, :-1]
-    second_diagonal = corner[1:, :-1] - corner[:-1, 1:]
-    facets = np.linalg.norm(np.cross(first_diagonal, second_diagonal), axis=-1) / 2
-    # A section wholly above the water has its points gathered at the keel: facets up to it are not wet.
-    wet = sections.keel < draught
-    return float(2 * facets[wet[1:] & wet[:-1]].sum())
 
 
 def draught_of_volume(volume_at: Callable[[float], float], volume: float, lowest: float, highest: float) -> float:

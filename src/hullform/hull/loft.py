@@ -1,4 +1,4 @@
-"""The hull: super-ellipse sections along the whole ship, lofted from the stations of a body plan."""
+"""The hull: sections along the whole ship, lofted from the stations of a body plan."""
 
 from __future__ import annotations
 
@@ -12,18 +12,21 @@ from numpy.typing import ArrayLike, NDArray
 from hullform.body_plan import BodyPlan
 from hullform.errors import HullError
 from hullform.hull import hydrostatics as floating
-from hullform.hull.arcs import curve_points
+from hullform.hull.contours import parted_at_the_centre_line
 from hullform.hull.drawn import (
     Extrapolation,
     FittedStation,
+    extrapolated_spans,
     fit_stations,
-    lofted_sections,
+    lofted_super_ellipses,
     merge_halves,
     station_places,
 )
 from hullform.hull.equilibrium import FloatingPosition, Waterline, equilibrium, floating_position, immersed_areas
-from hullform.hull.hydrostatics import Hydrostatics
-from hullform.hull.sections import Sections, interpolated, quadrature
+from hullform.hull.hydrostatics import BonjeanCurves, Hydrostatics
+from hullform.hull.ladder import Choice
+from hullform.hull.lofted_contours import lofted_contours, places_with_stations
+from hullform.hull.sections import Sections, SectionSet, quadrature
 from hullform.hull.surface import closed_surface
 from hullform.hull.turning_back import doubts_of_turning_back
 
@@ -56,29 +59,23 @@ class Particulars(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Hull:
-    """A ship's moulded form: a super-ellipse section at each x, monotone cubics of their parameters between.
+    """A ship's moulded form: a section at each x, monotone cubics of what makes them between.
 
     Attributes:
         x_m: (n,) places of the sections from the aft end of the length overall, increasing, n >= 3.
-        half_breadth_m, depth_m, top_height_m: (n,) half-breadth at each section's top, its own depth, and the height
-            of its top above the base line. Half-breadth and depth may be 0 at an end.
-        p, q: (n,) exponents.
+        sections: the n sections: super-ellipses (`Sections`), or polylines with matched points (`Contours`).
         length_overall_m, length_between_perpendiculars_m, aft_perpendicular_m, breadth_m, depth_moulded_m, draught_m:
             the particulars; they scale nothing, coefficients refer to them.
-        fits: the drawn stations with their fits, empty for a hull that was not drawn.
+        fits: the drawn stations with their models, empty for a hull that was not drawn.
         extrapolated: spans of the ship outside the outermost drawn stations.
         doubts: what a person should look at.
 
-    Raises HullError for arrays of unequal length, x that does not increase, numbers that are not finite, a negative
-    length or an exponent that is not positive.
+    Raises HullError for x that does not increase or is not of one length with the sections, and for sections of which
+    none has breadth and depth.
     """
 
     x_m: Array
-    half_breadth_m: Array
-    depth_m: Array
-    top_height_m: Array
-    p: Array
-    q: Array
+    sections: SectionSet
     length_overall_m: float
     length_between_perpendiculars_m: float
     aft_perpendicular_m: float
@@ -91,41 +88,74 @@ class Hull:
 
     def __post_init__(self) -> None:
         x = np.array(self.x_m, dtype=np.float64)
-        for name in ("x_m", "half_breadth_m", "depth_m", "top_height_m", "p", "q"):
-            values = np.array(getattr(self, name), dtype=np.float64)
-            if values.shape != x.shape or x.ndim != 1 or len(x) < 3:
-                raise HullError(
-                    f"Hull: {name} has shape {values.shape} and x_m {x.shape}; give one value a section, three or more"
-                )
-            if not np.isfinite(values).all():
-                raise HullError(f"Hull: {name} holds a number that is not finite")
-            if name in ("half_breadth_m", "depth_m") and values.min() < 0:
-                raise HullError(
-                    f"Hull: {name} is {values.min():g} m at x = {x[values.argmin()]:g} m; it cannot be negative"
-                )
-            if name in "pq" and values.min() <= 0:
-                raise HullError(
-                    f"Hull: exponent {name} is {values.min():g} at x = {x[values.argmin()]:g} m; it must be positive"
-                )
-            values.setflags(write=False)
-            object.__setattr__(self, name, values)
+        if x.ndim != 1 or len(x) < 3 or self.sections.top.shape != x.shape:
+            raise HullError(
+                f"Hull: x_m has shape {x.shape} for {self.sections.top.size} sections; give one place a section, three "
+                "or more"
+            )
+        if not np.isfinite(x).all():
+            raise HullError("Hull: x_m holds a number that is not finite")
         if (np.diff(x) <= 0).any():
             where = int(np.argmax(np.diff(x) <= 0))
             raise HullError(f"Hull: x_m must increase, but {x[where + 1]:g} follows {x[where]:g}")
         if max(self.half_breadth_m) <= 0 or max(self.depth_m) <= 0:
             raise HullError("Hull: no section has breadth and depth; check the body plan")
+        x.setflags(write=False)
+        object.__setattr__(self, "x_m", x)
 
     @classmethod
-    def from_body_plan(cls, body_plan: BodyPlan, particulars: Particulars, stations: int = 100) -> Hull:
-        """Fit the drawn stations and loft `stations` sections over the length overall.
+    def of_super_ellipses(
+        cls,
+        x_m: ArrayLike,
+        half_breadth_m: ArrayLike,
+        depth_m: ArrayLike,
+        top_height_m: ArrayLike,
+        p: ArrayLike,
+        q: ArrayLike,
+        length_overall_m: float,
+        length_between_perpendiculars_m: float,
+        aft_perpendicular_m: float,
+        breadth_m: float,
+        depth_moulded_m: float,
+        draught_m: float,
+    ) -> Hull:
+        """A hull of super-ellipse sections.
 
-        Sections stand closer together at the ends (`drawn.station_places`). A station drawn on both halves counts once,
-        with the mean of its extents; the halves' disagreement beyond a pen's width becomes a doubt. Outside the
-        outermost drawn stations the form is extrapolated (`drawn.lofted_sections`), and `extrapolated` says where.
+        Args:
+            x_m: (n,) places of the sections.
+            half_breadth_m, depth_m, top_height_m: (n,) half-breadth at each section's top, its own depth, and the
+                height of its top above the base line. Half-breadth and depth may be 0 at an end.
+            p, q: (n,) exponents.
+            length_overall_m, length_between_perpendiculars_m, aft_perpendicular_m, breadth_m, depth_moulded_m,
+            draught_m: the particulars.
+
+        Raises HullError for arrays of unequal length, x that does not increase, numbers that are not finite, a negative
+        length or an exponent that is not positive.
+        """
+        x = np.array(x_m, dtype=np.float64)
+        given = {"half_breadth_m": half_breadth_m, "depth_m": depth_m, "top_height_m": top_height_m, "p": p, "q": q}
+        sections = Sections(*(_checked(name, values, x) for name, values in given.items()))
+        return cls(
+            x, sections, length_overall_m, length_between_perpendiculars_m, aft_perpendicular_m, breadth_m,
+            depth_moulded_m, draught_m,
+        )  # fmt: skip
+
+    @classmethod
+    def from_body_plan(
+        cls, body_plan: BodyPlan, particulars: Particulars, stations: int = 100, sections: Choice = "auto"
+    ) -> Hull:
+        """Model the drawn stations and loft `stations` sections over the length overall.
+
+        Each station gets the first model of a ladder that is near enough (`ladder`), or the one that `sections` asks
+        for. A ship whose stations all are super-ellipses is lofted by their parameters; any other by matched points of
+        her sections (`Contours`), the drawn stations among the places. Sections stand closer together at the ends
+        (`drawn.station_places`). A station drawn on both halves counts once, as the mean; the halves' disagreement
+        beyond a pen's width becomes a doubt. Outside the outermost drawn stations the form is extrapolated, and
+        `extrapolated` says where.
 
         Raises HullError for fewer than three sections, a station outside the length overall or one without a shape.
         """
-        length = float(particulars.length_overall_m)
+        length, breadth = float(particulars.length_overall_m), float(particulars.breadth_m)
         if stations < 3:
             raise HullError(f"a hull needs three or more lofted sections; {stations} asked for")
         for station in body_plan.stations:
@@ -134,33 +164,42 @@ class Hull:
                     f"station {station.name} ({station.half} half) is at x = {station.x_m:g} m, outside the length "
                     f"overall 0..{length:g} m; x counts from the aft end of the length overall, forward"
                 )
-        fits = fit_stations(body_plan, float(particulars.breadth_m))
-        merged, disagreements = merge_halves(fits, float(particulars.breadth_m))
-        unlike = doubts_of_turning_back(body_plan, fits, float(particulars.breadth_m) / 2)
+        fits = fit_stations(body_plan, breadth, float(particulars.draught_m), sections)
+        merged, disagreements = merge_halves(fits, breadth)
+        drawn_x = np.array([station.x_m for station in merged])
         x = station_places(length, stations)
-        sections, extrapolated, guesses = lofted_sections(merged, x, length)
+        lofted: SectionSet
+        if all(station.model is None or station.fit is not None for station in fits):
+            lofted = lofted_super_ellipses(merged, x)
+            for values in lofted:
+                values.setflags(write=False)
+        else:
+            x = places_with_stations(x, drawn_x)
+            lofted = lofted_contours(fits, x, breadth)
+        extrapolated, guesses = extrapolated_spans(drawn_x, length)
         return cls(
             x_m=x,
-            half_breadth_m=sections.half_breadth,
-            depth_m=sections.depth,
-            top_height_m=sections.top,
-            p=sections.p,
-            q=sections.q,
+            sections=lofted,
             length_overall_m=length,
             length_between_perpendiculars_m=float(particulars.length_between_perpendiculars_m),
             aft_perpendicular_m=float(particulars.aft_perpendicular_m),
-            breadth_m=float(particulars.breadth_m),
+            breadth_m=breadth,
             depth_moulded_m=float(particulars.depth_m),
             draught_m=float(particulars.draught_m),
             fits=fits,
             extrapolated=extrapolated,
-            doubts=disagreements + guesses + unlike,
+            doubts=disagreements + guesses + doubts_of_turning_back(body_plan, fits, breadth / 2),
         )
 
     @property
-    def sections(self) -> Sections:
-        """The sections' parameters, as the section kernels take them."""
-        return Sections(self.half_breadth_m, self.depth_m, self.top_height_m, self.p, self.q)
+    def half_breadth_m(self) -> Array:
+        """(n,) half-breadths of the deck, in m."""
+        return self.sections.half_breadth
+
+    @property
+    def top_height_m(self) -> Array:
+        """(n,) heights of the deck at side above the base line, in m."""
+        return self.sections.top
 
     @property
     def keel_height_m(self) -> Array:
@@ -168,18 +207,23 @@ class Hull:
         return self.sections.keel
 
     @property
+    def depth_m(self) -> Array:
+        """(n,) depths of the sections from deck to lowest point, in m."""
+        return self.top_height_m - self.keel_height_m
+
+    @property
     def midships_m(self) -> float:
         """x halfway between the perpendiculars, in m."""
         return self.aft_perpendicular_m + self.length_between_perpendiculars_m / 2
 
-    def sections_at(self, x_m: ArrayLike) -> Sections:
-        """Parameters of the sections at any x in m within the hull; raises HullError for an x outside it."""
+    def sections_at(self, x_m: ArrayLike) -> SectionSet:
+        """The sections at any x in m within the hull; raises HullError for an x outside it."""
         outside = (np.asarray(x_m) < self.x_m[0]) | (np.asarray(x_m) > self.x_m[-1])
         if np.any(outside):
             raise HullError(
                 f"x = {np.asarray(x_m)[outside].flat[0]:g} m is outside the hull, {self.x_m[0]:g}..{self.x_m[-1]:g} m"
             )
-        return interpolated(self.x_m, self.sections, x_m)
+        return self.sections.interpolated(self.x_m, x_m)
 
     def sectional_areas(self, draught_m: ArrayLike | None = None, x_m: ArrayLike | None = None) -> Array:
         """Areas in m2 below a draught (m above the base line; default: to the deck) at the sections or at x_m.
@@ -187,7 +231,7 @@ class Hull:
         draught_m may be one value a section, for a trimmed waterline.
         """
         sections = self.sections if x_m is None else self.sections_at(x_m)
-        return floating.sectional_areas(sections, draught_m)
+        return sections.areas_below(draught_m)
 
     @cached_property
     def volume_m3(self) -> float:
@@ -198,13 +242,17 @@ class Hull:
     @cached_property
     def depth_amidships_m(self) -> float:
         """Height of the deck above the base line halfway between the perpendiculars, in m."""
-        return float(self.sections_at(self.midships_m).top)
+        return self.sections_at(self.midships_m).top.item()
 
     def _immersed_volume(self, draught_m: float) -> float:
         return float(floating.buoyancy(self.x_m, self.sections, draught_m).volume)
 
-    def hydrostatics(self, draught_m: float | None = None, density: float = 1025.0) -> Hydrostatics:
-        """Return what the hull displaces on even keel at a draught in m (default: the design's), density in kg/m3.
+    def hydrostatics(
+        self, draught_m: float | None = None, density: float = 1025.0, trim_m: float = 0.0
+    ) -> Hydrostatics:
+        """Return what the hull displaces at a draught halfway between the perpendiculars, in m (default: the design's).
+
+        density: of the water, kg/m3. trim_m: draught aft less that fore, at the perpendiculars.
 
         Raises HullError for a draught not positive or above the depth amidships, and where nothing is immersed.
         """
@@ -217,12 +265,14 @@ class Hull:
             )
         if not density > 0:
             raise HullError(f"water density {density:g} kg/m3 is not possible; sea water has 1025")
-        under = floating.buoyancy(self.x_m, self.sections, draught, _DEPTH_TOLERANCE * depth)
+        waterline = self.waterline(draught + trim_m / 2, draught - trim_m / 2)
+        heights = waterline.heights(quadrature(self.x_m)[0])
+        under = floating.buoyancy(self.x_m, self.sections, heights, _DEPTH_TOLERANCE * depth)
         volume, waterplane = float(under.volume), float(under.waterplane_area)
         if volume <= 0 or waterplane <= 0:
             raise HullError(f"at a draught of {draught:g} m nothing of the hull is under water; check her keel heights")
         lcb, lcf = float(under.moment_x) / volume, float(under.waterplane_moment_x) / waterplane
-        midship_area = float(self.sectional_areas(draught, self.midships_m))
+        midship_area = self.sectional_areas(draught, self.midships_m).item()
         box = self.breadth_m * draught
         block = volume / (self.length_between_perpendiculars_m * box)
         return Hydrostatics(
@@ -238,12 +288,20 @@ class Hull:
             waterplane_area_m2=waterplane,
             lcf_x_m=lcf,
             midship_area_m2=midship_area,
-            wetted_surface_m2=floating.wetted_surface(self.x_m, self.sections, draught),
+            wetted_surface_m2=self.sections.wetted_surface(self.x_m, waterline.heights(self.x_m)),
             block_coefficient=block,
             midship_coefficient=midship_area / box,
             prismatic_coefficient=block * box / midship_area,
             waterplane_coefficient=waterplane / (self.length_between_perpendiculars_m * self.breadth_m),
+            trim_m=float(trim_m),
         )
+
+    def bonjean_curves(self, heights_m: ArrayLike, x_m: ArrayLike | None = None) -> BonjeanCurves:
+        """Areas of the sections, or of those at x_m (stations,), below heights (heights,) in m above the base line."""
+        x = self.x_m if x_m is None else np.atleast_1d(np.asarray(x_m, dtype=np.float64))
+        heights = np.atleast_1d(np.asarray(heights_m, dtype=np.float64))
+        under = self.sections_at(x).cut(heights[:, None])
+        return BonjeanCurves(x, heights, under.area.T, under.moment_z.T)
 
     def draught_for(self, mass_kg: float, density: float = 1025.0) -> float:
         """Return the even-keel draught in m at which the hull displaces a mass in kg of water of a density in kg/m3.
@@ -279,8 +337,16 @@ class Hull:
     def section_points(self, points: int = 49, x_m: ArrayLike | None = None) -> Array:
         """Return points (n, points, 2) [half-breadth, height] in m, keel to deck, of the sections or at x_m."""
         sections = self.sections if x_m is None else self.sections_at(np.atleast_1d(x_m))
-        y, zeta = curve_points(*sections.shape, points)
-        return np.stack([y, sections.top[:, None] - zeta], axis=-1)
+        return sections.points(points)
+
+    def section_curves(self, x_m: float, points: int = 121) -> tuple[Array, ...]:
+        """The contours (k, 2) [half-breadth, height] in m of the section at an x in m, keel to deck, the lowest first.
+
+        One, or two where the section has a bulb or a gondola apart from the body above it. points: of a super-ellipse;
+        polyline sections give all that they have, knuckles among them.
+        """
+        (section,) = self.sections_at(np.atleast_1d(x_m)).mesh_points(points)
+        return parted_at_the_centre_line(section)
 
     def mesh(self, points: int = 49) -> trimesh.Trimesh:
         """Return the closed hull, deck and ends included, as triangles with outward normals, in m (x, y to port, z up).
@@ -289,5 +355,24 @@ class Hull:
         """
         import trimesh
 
-        vertices, faces = closed_surface(self.x_m, self.sections, points)
+        vertices, faces = closed_surface(self.x_m, self.sections.mesh_points(points))
         return trimesh.Trimesh(vertices, faces, process=False)
+
+
+def _checked(name: str, given: ArrayLike, x: Array) -> Array:
+    """One parameter of super-ellipse sections at x, read-only."""
+    values = np.array(given, dtype=np.float64)
+    if values.shape != x.shape or x.ndim != 1 or len(x) < 3:
+        raise HullError(
+            f"Hull: {name} has shape {values.shape} and x_m {x.shape}; give one value a section, three or more"
+        )
+    if not np.isfinite(values).all():
+        raise HullError(f"Hull: {name} holds a number that is not finite")
+    if name in ("half_breadth_m", "depth_m") and values.min() < 0:
+        raise HullError(f"Hull: {name} is {values.min():g} m at x = {x[values.argmin()]:g} m; it cannot be negative")
+    if name in "pq" and values.min() <= 0:
+        raise HullError(
+            f"Hull: exponent {name} is {values.min():g} at x = {x[values.argmin()]:g} m; it must be positive"
+        )
+    values.setflags(write=False)
+    return values

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 from numpy.typing import NDArray
 
-from hullform.hull.arcs import curve_points
-from hullform.hull.sections import Sections
+from hullform.hull.ears import clipped_ears
 
 Array = NDArray[np.float64]
 Faces = NDArray[np.int64]
-
-_SNAP = 1e-7  # of the largest half-breadth: nearer to the centre plane a point lies on it
-_THINNEST = 1e-5  # of the greatest depth: a section with breadth but no depth keeps this much, so that it has an inside
 
 
 def _strips(lower: Faces, upper: Faces) -> Faces:
@@ -21,29 +19,39 @@ def _strips(lower: Faces, upper: Faces) -> Faces:
     return np.concatenate([np.stack([a, b, c], -1).reshape(-1, 3), np.stack([a, c, d], -1).reshape(-1, 3)])
 
 
-def _fan(centre: np.int64, rim: Faces) -> Faces:
-    """Triangles from the deck's centre to every step along an end section, which is star-shaped about that point."""
-    return np.stack([np.full(len(rim) - 1, centre), rim[:-1], rim[1:]], axis=-1)
+def _end(centre: np.int64, rim: Faces, section: Array) -> Faces:
+    """Triangles over one side of an end section, from its rim (k,), keel to deck, with points (k, 2), and deck centre.
+
+    A fan from the deck's centre where the section is star-shaped about it; clipped ears where it is not, contour by
+    contour where it comes back to the centre line.
+    """
+    spoke = section - [0.0, section[-1, 1]]
+    if (spoke[:-1, 0] * spoke[1:, 1] - spoke[:-1, 1] * spoke[1:, 0] >= 0).all():
+        return np.stack([np.full(len(rim) - 1, centre), rim[:-1], rim[1:]], axis=-1)
+    points = np.concatenate([section, [[0.0, section[-1, 1]]]])
+    numbers = np.append(rim, centre)
+    on_centre = np.flatnonzero(points[:, 0] == 0)
+    faces = [
+        numbers[start : end + 1][clipped_ears(points[start : end + 1])]
+        for start, end in itertools.pairwise(on_centre)
+        if end > start + 1
+    ]
+    return np.concatenate(faces) if faces else np.empty((0, 3), dtype=np.int64)
 
 
-def closed_surface(x: Array, sections: Sections, points: int) -> tuple[Array, Faces]:
+def closed_surface(x: Array, points: Array) -> tuple[Array, Faces]:
     """Return vertices (n, 3) and faces (m, 3), normals outward, of the closed body through sections at x (stations,).
 
-    Each section has `points` vertices a side from keel to deck; the deck and both ends are closed. Where sections
-    shrink to the centre plane port and starboard share their vertices and the faces between them vanish.
+    points: (stations, k, 2) [half-breadth, height] of one side of each section, from keel to deck; the deck and both
+    ends are closed. Where sections shrink to the centre plane port and starboard share their vertices and the faces
+    between them vanish.
     """
-    snap = _SNAP * float(sections.half_breadth.max())
-    thinnest = _THINNEST * float(sections.depth.max())
-    a = np.where(sections.half_breadth > snap, sections.half_breadth, 0.0)
-    b = np.where(a > 0, np.maximum(sections.depth, thinnest), sections.depth)
-    y, zeta = curve_points(a, b, sections.p, sections.q, points)
-    y[y <= snap] = 0.0
-    z = sections.top[:, None] - zeta
+    y, z = points[..., 0], points[..., 1]
     along = np.broadcast_to(x[:, None], y.shape)
     port = np.stack([along, y, z], axis=-1)
     starboard = port * [1.0, -1.0, 1.0]
 
-    centre = np.stack([x, np.zeros_like(x), sections.top], axis=-1)
+    centre = np.stack([x, np.zeros_like(x), z[:, -1]], axis=-1)
     vertices = np.concatenate([port.reshape(-1, 3), starboard.reshape(-1, 3), centre])
 
     left = np.arange(y.size).reshape(y.shape).T  # rows along the ship, from keel to deck
@@ -54,10 +62,10 @@ def closed_surface(x: Array, sections: Sections, points: int) -> tuple[Array, Fa
             _strips(right[:-1], right[1:]),
             _strips(left[-1], middle)[:, ::-1],
             _strips(right[-1], middle),
-            _fan(middle[0], left[:, 0])[:, ::-1],
-            _fan(middle[0], right[:, 0]),
-            _fan(middle[-1], left[:, -1]),
-            _fan(middle[-1], right[:, -1])[:, ::-1],
+            _end(middle[0], left[:, 0], points[0])[:, ::-1],
+            _end(middle[0], right[:, 0], points[0]),
+            _end(middle[-1], left[:, -1], points[-1]),
+            _end(middle[-1], right[:, -1], points[-1])[:, ::-1],
         ]
     )
     # -0.0 and 0.0 must be one vertex.

@@ -1,4 +1,4 @@
-"""Stations that a single super-ellipse cannot hold: two contours, bulbs, tunnels; a person must know what is lost."""
+"""Stations that a super-ellipse was asked for and cannot follow: two contours, bulbs, tunnels."""
 
 from __future__ import annotations
 
@@ -51,5 +51,5 @@ def doubts_of_turning_back(
     return (
         f"stations {names} m have a bulb, a tunnel or two contours, which one super-ellipse cannot follow: it misses "
         f"them by up to {miss:.2f} m, limit {_LARGEST_MISS * half_breadth_m:.2f} m, and their area by {area:+.0%}; "
-        "the hull is approximate there: look at these sections in the report",
+        "the hull is approximate there: set [hull] sections to 'auto'",
     )

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from hullform.errors import LoadingError
 from hullform.hull.loft import Hull
-from hullform.hull.super_ellipse import shell_section
 from hullform.loading.framing import Plating
 from hullform.loading.plated_sections import CONTOUR_POINTS, plated_sections, platings_at
 from hullform.loading.thin_walled import SectionProperties, closed_shell, section_properties
@@ -126,7 +125,7 @@ def structure_of(hull: Hull, given: StructureInput) -> Structure:
     shear_factor = factor if wanted_shear is None else wanted_shear / shear_at_midships
     return Structure(
         x_m=x,
-        girth_m=shell_section(*hull.sections_at(x).shape, given.shell_thickness_m).girth,
+        girth_m=hull.sections_at(x).shell(given.shell_thickness_m).girth,
         area_m2=factor * bare.area_m2,
         neutral_axis_m=bare.neutral_axis_m,
         second_moment_m4=second_moment,
@@ -149,7 +148,7 @@ def structure_of(hull: Hull, given: StructureInput) -> Structure:
 
 def _plain_shell(hull: Hull, given: StructureInput) -> _AsModelled:
     """A closed shell of one thickness: area and second moment by the contour's own integrals, not by chords."""
-    shell = shell_section(*hull.sections.shape, given.shell_thickness_m)
+    shell = hull.sections.shell(given.shell_thickness_m)
     network = section_properties(closed_shell(*_contours(hull), given.shell_thickness_m))
     exact = network._replace(
         area_m2=shell.area,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from matplotlib.figure import Figure
 
 from hullform.body_plan import Half
@@ -20,7 +21,7 @@ HALF_COLOURS: dict[Half, str] = {"aft": WARM, "fore": ACCENT}
 
 
 def body_plan_figure(run: Run) -> Picture:
-    """Every station as traced, in thin black, over the super-ellipse fitted to it, in colour."""
+    """Every station as traced, in thin black, over the curves that stand for it, in colour."""
     particulars = run.ship.particulars
     aft_sign = -1.0 if run.ship.body_plan.aft_side == "left" else 1.0
     side: dict[Half, float] = {"aft": aft_sign, "fore": -aft_sign}
@@ -34,12 +35,13 @@ def body_plan_figure(run: Run) -> Picture:
         (LEFT_MARGIN / PAGE_WIDTH, BODY_PLAN_FOOT / height, drawn_width / PAGE_WIDTH, drawn_height / height)
     )
     for station in run.hull.fits:
-        if station.fit is None:
-            continue
-        y, zeta = station.fit.ellipse.points(FIT_POINTS).T
-        z = station.fit.top_height_m - zeta
+        contours = () if station.model is None else station.model.contours
+        if station.fit is not None:
+            contours = (station.fit.points(FIT_POINTS),)
         colour = HALF_COLOURS[station.half]
-        axes.plot(side[station.half] * y, z, color=colour, linewidth=FIT_WIDTH, alpha=FIT_ALPHA, solid_capstyle="round")
+        for y, z in (points.T for points in contours):
+            across_half = side[station.half] * y
+            axes.plot(across_half, z, color=colour, linewidth=FIT_WIDTH, alpha=FIT_ALPHA, solid_capstyle="round")
     for drawn in run.body_plan.stations:
         for curve in drawn.curves:
             y = side[drawn.half] * curve.half_breadth_m
@@ -51,8 +53,8 @@ def body_plan_figure(run: Run) -> Picture:
         textcoords="offset points", ha="right", fontsize=8,
     )  # fmt: skip
     axes.plot([], [], color="black", linewidth=0.7, label="traced")
-    axes.plot([], [], color=HALF_COLOURS["aft"], linewidth=FIT_WIDTH, alpha=FIT_ALPHA, label="fitted, aft half")
-    axes.plot([], [], color=HALF_COLOURS["fore"], linewidth=FIT_WIDTH, alpha=FIT_ALPHA, label="fitted, fore half")
+    axes.plot([], [], color=HALF_COLOURS["aft"], linewidth=FIT_WIDTH, alpha=FIT_ALPHA, label="model, aft half")
+    axes.plot([], [], color=HALF_COLOURS["fore"], linewidth=FIT_WIDTH, alpha=FIT_ALPHA, label="model, fore half")
     axes.set_xlim(-across / 2, across / 2)
     axes.set_ylim(lowest, highest)
     finish(axes, "y from the centre line, m", "z above the base line, m")
@@ -60,13 +62,13 @@ def body_plan_figure(run: Run) -> Picture:
     return as_svg(
         figure,
         "body-plan-fit",
-        "Stations as traced from the picture (thin, black) over the super-ellipses fitted to them (broad, coloured).",
-        f"Body plan with {len(run.hull.fits)} stations: traced curves lie over their fitted super-ellipses.",
+        "Stations as traced (thin, black) over the curves that stand for them (broad, coloured).",
+        f"Body plan with {len(run.hull.fits)} stations: traced curves lie over their models.",
     )
 
 
 def area_figure(run: Run) -> Picture:
-    """Sectional areas below the draught of each condition."""
+    """Sectional areas below the draught of each condition, and at the design draught those of the traced stations."""
     hull = run.hull
     figure = Figure(figsize=(PAGE_WIDTH, 3.0))
     axes = figure.subplots()
@@ -81,12 +83,14 @@ def area_figure(run: Run) -> Picture:
     axes.plot(
         x, design, color=QUIET, linewidth=1.0, linestyle=":", label=f"design draught, {run.at_draught.draught_m:g} m"
     )
+    traced = [(station.x_m, station.area_below(run.at_draught.draught_m)) for station in run.body_plan.stations]
+    axes.plot(*np.transpose(traced), "o", color="black", markersize=3, fillstyle="none", label="traced, design draught")
     finish(axes, "x from the aft end, m", "sectional area, m²", hull.length_overall_m)
     axes.set_ylim(0.0, None)
     axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4, borderaxespad=0.2, columnspacing=1.4)
     return as_svg(
         figure,
         "sectional-areas",
-        "Sectional area below the even-keel waterline of each condition.",
+        "Sectional area below the even-keel waterline of each condition; circles: the traced stations themselves.",
         f"Sectional area curves; the largest section at the design draught has {significant(design.max())} m².",
     )

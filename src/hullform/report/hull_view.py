@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hullform.hull.contours import ON_THE_CENTRE_LINE, Contours
 from hullform.hull.loft import Hull
 from hullform.report.drawing import Picture
 
@@ -24,6 +25,8 @@ POINTS_BELOW = 17
 POINTS_ABOVE = 9
 # Fine points of a section that the drawn ones are taken from.
 FINE_POINTS = 97
+# Of a polyline section's points, on one side, about so many are drawn.
+COLUMNS = 29
 
 ANTIFOULING = (142, 62, 48)
 TOPSIDE = (44, 68, 92)
@@ -47,7 +50,10 @@ class Patch:
 
     @property
     def faces(self) -> Faces:
-        """Two triangles a cell, (n, 3) indices of the flattened grid; those without area are left out."""
+        """Two triangles a cell, (n, 3) indices of the flattened grid, without those of no area or in the centre plane.
+
+        In the centre plane port and starboard lie back to back, between a bulb and the stem above it: there is no hull.
+        """
         rows, columns, _ = self.grid.shape
         number = np.arange(rows * columns).reshape(rows, columns)
         a, b, c, d = number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1]
@@ -55,21 +61,16 @@ class Patch:
         faces = np.concatenate(halves)
         corner = self.grid.reshape(-1, 3)[faces]
         twice_area = np.linalg.norm(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1)
-        return np.asarray(faces[twice_area > 1e-9 * twice_area.max()])
+        off_centre = np.abs(corner[..., 1]).max(axis=1) > 1e-6 * np.abs(self.grid[..., 1]).max()
+        return np.asarray(faces[off_centre & (twice_area > 1e-9 * twice_area.max())])
 
 
 def surface(hull: Hull, draught_m: float) -> tuple[Patch, ...]:
     """Bottom, both sides above the waterline, deck and the two ends, as patches with outward normals."""
-    fine = hull.section_points(FINE_POINTS)
-    share = np.linspace(0.0, 1.0, FINE_POINTS)
-    below, above = np.empty((len(fine), POINTS_BELOW, 2)), np.empty((len(fine), POINTS_ABOVE, 2))
-    for section, low, high in zip(fine, below, above, strict=True):
-        y, z = section.T
-        at_water = float(np.interp(draught_m, z, share))
-        low_share = at_water * np.linspace(0.0, 1.0, POINTS_BELOW)
-        high_share = at_water + (1.0 - at_water) * np.linspace(0.0, 1.0, POINTS_ABOVE)
-        low[:] = np.column_stack([np.interp(low_share, share, y), np.interp(low_share, share, z)])
-        high[:] = np.column_stack([np.interp(high_share, share, y), np.interp(high_share, share, z)])
+    if isinstance(hull.sections, Contours):
+        below, above = _parted_in_place(hull.sections, draught_m)
+    else:
+        below, above = _parted_anew(hull, draught_m)
     x = hull.x_m
     port_below, port_above = _at(x, below), _at(x, above)
     bottom = np.concatenate([_mirrored(port_below)[:, :0:-1], port_below], axis=1)
@@ -85,6 +86,51 @@ def surface(hull: Hull, draught_m: float) -> tuple[Patch, ...]:
         Patch(aft[::-1], TOPSIDE),
         Patch(fore, TOPSIDE),
     )
+
+
+def _parted_anew(hull: Hull, draught_m: float) -> tuple[Array, Array]:
+    """Points (stations, k, 2) of the sections below the waterline and above it, even along either part."""
+    fine = hull.section_points(FINE_POINTS)
+    share = np.linspace(0.0, 1.0, FINE_POINTS)
+    below, above = np.empty((len(fine), POINTS_BELOW, 2)), np.empty((len(fine), POINTS_ABOVE, 2))
+    for section, low, high in zip(fine, below, above, strict=True):
+        y, z = section.T
+        at_water = _share_at_water(z, draught_m)
+        low_share = at_water * np.linspace(0.0, 1.0, POINTS_BELOW)
+        high_share = at_water + (1.0 - at_water) * np.linspace(0.0, 1.0, POINTS_ABOVE)
+        low[:] = np.column_stack([np.interp(low_share, share, y), np.interp(low_share, share, z)])
+        high[:] = np.column_stack([np.interp(high_share, share, y), np.interp(high_share, share, z)])
+    return below, above
+
+
+def _parted_in_place(sections: Contours, draught_m: float) -> tuple[Array, Array]:
+    """The same of polylines, at their matched points: those beyond the waterline come together on it.
+
+    So the edges of what there is between a bulb and the stem, which is nothing, stay where they are.
+    """
+    outline = sections.outline
+    count = outline.shape[1]
+    on = outline[..., 0] <= ON_THE_CENTRE_LINE * outline[..., 0].max()
+    (edges,) = np.nonzero((on[:, 1:] != on[:, :-1]).any(axis=0))
+    columns = np.unique(np.concatenate([np.linspace(0, count - 1, COLUMNS).astype(int), edges, edges + 1]))
+    points = outline[:, columns]
+    below, above = points.copy(), points.copy()
+    for section, low, high in zip(points, below, above, strict=True):
+        along = _share_at_water(section[:, 1], draught_m) * (len(columns) - 1)
+        number = np.arange(len(columns))
+        at_water = [np.interp(along, number, values) for values in section.T]
+        low[number > along] = at_water
+        high[number < along] = at_water
+    return below, above
+
+
+def _share_at_water(z: Array, draught_m: float) -> float:
+    """How far along a section, of the whole, it comes up through the waterline, the last time if it does so again."""
+    (rising,) = np.nonzero((z[:-1] < draught_m) & (z[1:] >= draught_m))
+    if not len(rising):
+        return 0.0 if z[-1] >= draught_m else 1.0
+    last = int(rising[-1])
+    return float((last + (draught_m - z[last]) / (z[last + 1] - z[last])) / (len(z) - 1))
 
 
 def still_picture(hull: Hull, draught_m: float) -> Picture:
