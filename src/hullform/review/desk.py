@@ -42,7 +42,7 @@ class Desk:
     def __init__(self, ship: Ship) -> None:
         self.ship = ship
         self.saved: Review = read_review(ship) or new_review(ship)
-        rows, columns = load_grey(ship.body_plan.image_path, ship.body_plan.page).shape
+        rows, columns = load_grey(ship.picture.image_path, ship.picture.page).shape
         self.size_px = (columns, rows)
         self._sheets: OrderedDict[str, Sheet] = OrderedDict()
         self._reading: PictureReading | None = None
@@ -52,7 +52,7 @@ class Desk:
 
     def opening(self) -> Document:
         """What the page needs to open: the ship, the picture, the saved review, its reading or why there is none."""
-        source, main = self.ship.body_plan, self.ship.particulars
+        source, main = self.ship.picture, self.ship.particulars
         document: Document = {
             "ship": {
                 "name": main.name,
@@ -134,7 +134,7 @@ class Desk:
         raise PictureError(f"station {station_m:g} m of the {half} half has no curve")
 
     def _sheet(self, ship: Ship) -> Sheet:
-        source = ship.body_plan
+        source = ship.picture
         given = "" if source.calibration is None else source.calibration.model_dump_json()
         key = f"{source.aft_side} {given}"
         if key not in self._sheets:
