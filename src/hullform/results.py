@@ -66,16 +66,16 @@ def write_results(run: Run, path: Path) -> None:
 
 def _provenance(run: Run) -> Provenance:
     packages = ("hullform", "numpy", "scipy", "opencv-python-headless", "trimesh")
-    image, review = run.ship.body_plan.image_path, run.ship.review_path
-    reviewed = review.exists()
+    file, review = run.ship.body_plan.file, run.ship.review_path
+    reviewed = run.reading is not None and review.exists()
     return Provenance(
         program=PROGRAM,
         versions={"python": platform.python_version(), **{name: importlib.metadata.version(name) for name in packages}},
         created_utc=datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
         ship_file=run.ship.path.name,
         ship_file_sha256=_digest(run.ship.path),
-        image=image.name,
-        image_sha256=_digest(image),
+        body_plan_file=None if file is None else file.name,
+        body_plan_file_sha256=None if file is None else _digest(file),
         review=review.name if reviewed else None,
         review_sha256=_digest(review) if reviewed else None,
         seconds=dict(run.seconds),
@@ -112,6 +112,7 @@ def _hull(run: Run) -> HullRecord:
         )
     calibration = run.body_plan.calibration
     return HullRecord(
+        source=run.body_plan.source,
         stations=records,
         hydrostatics=asdict(run.at_draught),
         notes=list(run.body_plan.notes),

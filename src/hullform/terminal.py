@@ -6,6 +6,7 @@ from hullform.outcome import Run
 from hullform.rounding import significant
 
 SHOWN = 3
+NOT_DRAWN = ("No drawing: her hull is a form made of these main particulars.",)
 
 
 def summary(run: Run) -> str:
@@ -17,6 +18,7 @@ def summary(run: Run) -> str:
     lines = [
         f"{of_ship.name}: LOA {of_ship.length_overall_m:g} m, LPP {of_ship.length_between_perpendiculars_m:g} m, "
         f"B {of_ship.breadth_m:g} m, D {of_ship.depth_m:g} m, T {of_ship.draught_m:g} m",
+        *NOT_DRAWN * (run.body_plan.source == "particulars"),
         "Vertical bending, dry girder with shear deflection; the water is not in these figures.",
         "",
         f"{'condition':<14}{'mass, t':>9}{'draught, m':>12}{'mode':>6}{'nodes':>7}"

@@ -23,7 +23,6 @@ from hullform.ship_body_plan import MeshSource
 
 Array = NDArray[np.float64]
 
-SOURCE = "mesh"
 FIRST_STATIONS, MOST_STATIONS = 33, 129
 # Of the largest section: where the area halfway between two stations is off the curve through all by more, a station
 # comes there.
@@ -110,7 +109,7 @@ def read_mesh(ship: Ship, source: MeshSource) -> BodyPlan:
     notes += _notes_of_holes(found)
     doubts += _doubts_of_sections(source, stations, found)
     try:
-        return BodyPlan(stations, SOURCE, notes=tuple(notes), doubts=tuple(doubts))
+        return BodyPlan(stations, "mesh", notes=tuple(notes), doubts=tuple(doubts))
     except BodyPlanError as error:
         raise BodyPlanError(f"{source.file}: {error}") from None
 

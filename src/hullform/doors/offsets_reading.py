@@ -15,7 +15,6 @@ from hullform.errors import BodyPlanError
 from hullform.ship import Particulars, Ship
 from hullform.ship_body_plan import METRES_PER, OffsetsSource
 
-SOURCE = "offsets"
 REQUIRED = ("station_x_m", "half_breadth_m", "height_m")
 OPTIONAL = ("half", "curve", "point", "source", "confidence")
 # Of B/2, by which moulded offsets may lie beyond it without a word: plating, or a pen.
@@ -59,7 +58,7 @@ def read_offsets(ship: Ship, source: OffsetsSource) -> BodyPlan:
     doubts = _doubts_of_size(table.path, stations, main)
     try:
         return BodyPlan(
-            stations, SOURCE, notes=(f"{len(stations)} stations of {table.path.name}", *notes), doubts=doubts
+            stations, "offsets", notes=(f"{len(stations)} stations of {table.path.name}", *notes), doubts=doubts
         )
     except BodyPlanError as error:
         raise BodyPlanError(f"{table.path}: {error}") from None

@@ -18,7 +18,6 @@ from hullform.ship_body_plan import ParticularsSource
 
 Array = NDArray[np.float64]
 
-SOURCE = "particulars"
 # Of LPP, from the aft perpendicular.
 _PLACES = np.array(
     [0, 0.0125, 0.025, 0.05, 0.075, *np.arange(0.1, 0.9001, 0.05), 0.925, 0.95, 0.975, 0.9875, 1.0], dtype=np.float64
@@ -125,7 +124,7 @@ def form_after_particulars(ship: Ship, source: ParticularsSource) -> BodyPlan:
         Station(float(at), "aft" if at < midships else "fore", (TracedCurve(b, main.depth_m - down),), f"{at:.2f}")
         for at, b, down in zip(x, y, zeta, strict=True)
     )
-    return BodyPlan(stations, SOURCE, notes=_notes(ship, source, form), doubts=(_NO_DRAWING,))
+    return BodyPlan(stations, "particulars", notes=_notes(ship, source, form), doubts=(_NO_DRAWING,))
 
 
 _NO_DRAWING = (
