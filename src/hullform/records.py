@@ -113,6 +113,8 @@ class LightShipRecord(_Table):
     steel_given: bool
     steel_estimate_t: Finite
     steel_estimate_range_t: tuple[Finite, Finite]
+    machinery_and_outfit_t: Finite
+    machinery_and_outfit_given: bool
     machinery_and_outfit_estimate_t: Finite | None
     machinery_and_outfit_range_t: tuple[Finite, Finite] | None
 

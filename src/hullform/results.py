@@ -164,6 +164,8 @@ def _light_ship(run: Run) -> LightShipRecord:
         steel_given=light.steel_given,
         steel_estimate_t=steel.weight_t,
         steel_estimate_range_t=(steel.lower_t, steel.upper_t),
+        machinery_and_outfit_t=light.beyond_steel_t,
+        machinery_and_outfit_given=light.beyond_steel_given,
         machinery_and_outfit_estimate_t=None if rest is None else rest.weight_t,
         machinery_and_outfit_range_t=None if rest is None else (rest.lower_t, rest.upper_t),
     )

@@ -54,11 +54,12 @@ def test_guessed_power_is_of_the_size_of_such_ships() -> None:
 def test_machinery_and_outfit_of_the_container_ship() -> None:
     # at 36560 kW: 0.037 * 36560 = 1353 t, 0.69 * 36560^0.7 = 1079 t, outfit 0.34 * 248 * 32.2 = 2715 t: 5147 t;
     # the guessed power is some per cent off, and its part of the sum is half
-    estimate = watson.machinery_and_outfit_weight(CONTAINER, 74660.0)
-    assert estimate is not None
+    parts = watson.machinery_and_outfit(CONTAINER, 74660.0)
+    assert parts is not None
+    estimate = parts.together
     assert estimate.weight_t == pytest.approx(5147.0, rel=0.10)
     assert estimate.lower_t == estimate.weight_t / 2
 
 
 def test_types_without_a_source_get_no_estimate() -> None:
-    assert watson.machinery_and_outfit_weight(ship("tug", 30.0, 28.0, 9.0, 4.5, 3.8), 500.0) is None
+    assert watson.machinery_and_outfit(ship("tug", 30.0, 28.0, 9.0, 4.5, 3.8), 500.0) is None

@@ -9,6 +9,7 @@ from hullform.outcome import Run
 from hullform.report.drawing import ACCENT, PAGE_WIDTH, QUIET, SERIES, WARM, Picture, as_svg, finish
 from hullform.report.wording import words_of_form
 from hullform.rounding import significant
+from hullform.ship_body_plan import PictureSource
 
 FIT_POINTS = 80
 FIT_WIDTH = 4.0
@@ -23,7 +24,8 @@ HALF_COLOURS: dict[Half, str] = {"aft": WARM, "fore": ACCENT}
 def body_plan_figure(run: Run) -> Picture:
     """Every station as traced, in thin black, over the super-ellipse fitted to it, in colour."""
     particulars = run.ship.particulars
-    aft_sign = 1.0 if run.reading is not None and run.reading.left_half == "fore" else -1.0
+    source = run.ship.body_plan
+    aft_sign = 1.0 if isinstance(source, PictureSource) and source.aft_side == "right" else -1.0
     side: dict[Half, float] = {"aft": aft_sign, "fore": -aft_sign}
     across = 1.17 * particulars.breadth_m
     lowest, highest = -0.04 * particulars.depth_m, 1.04 * float(run.hull.top_height_m.max())

@@ -47,6 +47,7 @@ CHECK_LABELS = {
     "given-trim": "Trim of the given draughts less that of the equilibrium",
     "closing": "Bending moment in still water left at the fore end",
     "light-ship": "Light ship less steel, within a factor of two of Watson’s estimate",
+    "bare-light-ship": "Machinery and outfit in the light ship",
     "equivalent-thickness": "Midship second moment, given over modelled",
     "hatch-openings": "Hatch openings of a container ship over her breadth",
     "steel-estimate": "Numeral within those behind the estimated steel weight",
@@ -160,7 +161,7 @@ def _overlay(run: Run, reading: PictureReading) -> Picture:
     _, encoded = cv2.imencode(".jpg", draw_overlay(reading), [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY])
     return Picture(
         "overlay",
-        f"{reading.path.name} as read: traced stations in colour over the faded picture.",
+        f"{run.ship.picture.image} as read: traced stations in colour over the faded picture.",
         f"The body plan of {run.ship.particulars.name} with the traced station curves drawn over it.",
         "jpg",
         encoded.tobytes(),
