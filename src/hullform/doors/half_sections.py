@@ -75,11 +75,11 @@ def half_section(chains: Sequence[Chain], side: int, sizes: Sizes, up_to_m: floa
         return HalfSection((), apart_m2=apart)
     lowest = min(float(piece[:, 1].min()) for piece in pieces)
     pieces = [_from_keel(piece) for piece in pieces if not (piece[:, 1].min() > lowest and _is_deck(piece, sizes))]
-    joined, bridged, open_at = _bridged(pieces, sizes)
+    joined, bridged, open_at = _bridged([_without_doubles(piece) for piece in pieces], sizes)
     top = max(range(len(joined)), key=lambda i: (joined[i][-1, 1], float(np.ptp(joined[i][:, 1]))))
     if joined[top][-1, 1] >= sizes.deck:
         joined[top] = _without_deck(joined[top])
-    curves = sorted((line for line in map(_without_doubles, joined) if len(line) > 1), key=lambda line: line[0, 1])
+    curves = sorted((line for line in joined if len(line) > 1), key=lambda line: float(line[0, 1]))
     return HalfSection(tuple(curves), tuple(bridged), apart, open_at)
 
 
@@ -143,13 +143,13 @@ def _bridged(pieces: list[Array], sizes: Sizes) -> tuple[list[Array], list[tuple
     top = max(float(piece[-1, 1]) for piece in left)
     found: list[Array] = []
     bridged: list[tuple[float, float]] = []
-    open_at = None
+    open_at: list[float] = []
     while left:
         line = left.pop(0)
         if line[0, 0] > 0:
             # her bottom is open: the centre line is as far off as the other side's end
             if 2 * line[0, 0] > sizes.bridge:
-                open_at = float(line[0, 1])
+                open_at.append(float(line[0, 1]))
             bridged.append((float(line[0, 1]), 2 * float(line[0, 0])))
             line = np.concatenate([[[0.0, line[0, 1]]], line])
         while line[-1, 0] > 0:
@@ -160,12 +160,12 @@ def _bridged(pieces: list[Array], sizes: Sizes) -> tuple[list[Array], list[tuple
             nearest = int(np.argmin(gaps))
             if gaps[nearest] > sizes.bridge:
                 if line[-1, 1] < top - sizes.bridge:
-                    open_at = float(line[-1, 1])
+                    open_at.append(float(line[-1, 1]))
                 break
             bridged.append((float(line[-1, 1]), gaps[nearest]))
             line = np.concatenate([line, left.pop(beyond[nearest])])
         found.append(line)
-    return found, bridged, open_at
+    return found, bridged, min(open_at, default=None)
 
 
 def _without_deck(line: Array) -> Array:

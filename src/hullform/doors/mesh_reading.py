@@ -31,6 +31,8 @@ _OFF_THE_CURVE = 5e-4
 _CLOSEST = 0.002
 # Of the length: so far from the ends of the mesh the first and the last cut may lie, the nearest that has a section.
 _FROM_THE_END = (1e-5, 1e-4, 1e-3, 3e-3)
+# Places along the ship are told to the millimetre.
+_DECIMALS = 3
 # Of the breadth: `Sizes`.
 _CENTRE, _BRIDGE = 1e-4, 0.1
 # Of the largest section: what is left out, and by how much the two sides may differ, without a word.
@@ -119,17 +121,20 @@ def _cut_where_it_changes(
 ) -> dict[float, list[HalfSection]]:
     """Cut between two places, closer together at the ends and wherever the areas below draught and deck change fast."""
     length = last_m - first_m
+    insets = [round(share * length, _DECIMALS) for share in _FROM_THE_END]
     ends = [
-        next((x for x in places if at(x)[0].curves), places[-1])
-        for places in ([first_m + d * length for d in _FROM_THE_END], [last_m - d * length for d in _FROM_THE_END])
+        next((x for x in near if at(x)[0].curves), near[-1])
+        for near in ([round(end + sign * d, _DECIMALS) for d in insets] for end, sign in ((first_m, 1), (last_m, -1)))
     ]
-    found = {float(x): at(float(x)) for x in ends[0] + station_places(ends[1] - ends[0], FIRST_STATIONS)}
+    places = np.round(ends[0] + station_places(ends[1] - ends[0], FIRST_STATIONS), _DECIMALS)
+    found = {float(x): at(float(x)) for x in places}
     spans = list(itertools.pairwise(found))
     while spans and len(found) < MOST_STATIONS:
-        between = {(one + other) / 2: at((one + other) / 2) for one, other in spans}
-        x = np.array(sorted(found))
-        areas = np.array([_areas(found[place], draught_m) for place in x])
-        through = PchipInterpolator(x, areas)(np.array(list(between)))
+        halfway = [round((one + other) / 2, _DECIMALS) for one, other in spans]
+        between = {x: at(x) for x in halfway}
+        known = np.array(sorted(found))
+        areas = np.array([_areas(found[place], draught_m) for place in known])
+        through = PchipInterpolator(known, areas)(np.array(halfway))
         off = np.array([_areas(halves, draught_m) for halves in between.values()]) - through
         wanted = (np.abs(off) > _OFF_THE_CURVE * areas.max(axis=0)).any(axis=1)
         halved = [
@@ -165,9 +170,17 @@ def _require_whole(source: MeshSource, found: dict[float, list[HalfSection]], si
                     "outer "
                     "shell alone"
                 )
-            if len(section.curves) > 2:
+            curves = section.curves
+            if len(curves) == 2 and curves[0][-1, 1] > curves[1][0, 1]:
                 raise BodyPlanError(
-                    f"{source.file}: the section at x = {x:.4g} m has {len(section.curves)} contours one above the "
+                    f"{source.file}: the section at x = {x:.4g} m has one contour within another, from z = "
+                    f"{curves[1][0, 1]:.3g} to {curves[1][-1, 1]:.3g} m; export the outer shell alone, without decks "
+                    "and "
+                    "tanks"
+                )
+            if len(curves) > 2:
+                raise BodyPlanError(
+                    f"{source.file}: the section at x = {x:.4g} m has {len(curves)} contours one above the "
                     "other, "
                     "and a hull has one, or two at a bulb; export the outer shell alone, without decks and tanks"
                 )

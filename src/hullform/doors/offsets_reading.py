@@ -10,6 +10,7 @@ import numpy as np
 
 from hullform.body_plan import BodyPlan, Half, Station, TracedCurve
 from hullform.doors.csv_rows import CsvTable, read_csv
+from hullform.doors.points import enough_points
 from hullform.doors.wide_table import FORMS, is_wide, read_wide
 from hullform.errors import BodyPlanError
 from hullform.ship import Particulars, Ship
@@ -120,11 +121,11 @@ def _curve(path: Path, x_m: float, points: Sequence[_Point]) -> TracedCurve:
     ordered = sorted(points, key=lambda point: point.order)
     if len(ordered) < 2:
         raise BodyPlanError(f"{path}: the station at x = {x_m:g} m has a curve of one point; give two or more")
-    confidence = min(point.confidence for point in ordered)
-    if not 0 <= confidence <= 1:
-        raise BodyPlanError(f"{path}: confidence = {confidence:g} at x = {x_m:g} m; it is from 0 to 1")
-    y, z = np.array([[point.half_breadth_m, point.height_m] for point in ordered]).T
-    return TracedCurve(y, z, confidence)
+    for point in ordered:
+        if not 0 <= point.confidence <= 1:
+            raise BodyPlanError(f"{path}: confidence = {point.confidence:g} at x = {x_m:g} m; it is from 0 to 1")
+    line = enough_points(np.array([[point.half_breadth_m, point.height_m] for point in ordered]))
+    return TracedCurve(line[:, 0], line[:, 1], min(point.confidence for point in ordered))
 
 
 def _require_within(path: Path, source: OffsetsSource, places_m: Sequence[float], main: Particulars) -> None:

@@ -160,7 +160,7 @@ def _places(main: Particulars) -> Array:
     overhang = main.length_overall_m - aft - length
     parts = [aft + length * _PLACES]
     parts += [aft * (1 - _OVERHANG)] * (aft > 0) + [aft + length + overhang * _OVERHANG] * (overhang > 0)
-    return np.unique(np.concatenate(parts).round(6))
+    return np.unique(np.concatenate(parts).round(3))
 
 
 def _fullness_of_ends(main: Particulars) -> float:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
+from scipy.interpolate import PchipInterpolator
 
 from hullform.body_plan import TracedCurve
 from hullform.doors.csv_rows import CsvTable
+from hullform.doors.points import enough_points
 from hullform.errors import BodyPlanError
 
 FORMS = (
@@ -19,8 +21,10 @@ FORMS = (
 # Of the whole height: a lowest waterline that is nearer to the base line lies on it.
 _ON_BASE = 1e-6
 
-Heading = Literal["height_m", "station_x_m"]
+# Points that the curve gets from one waterline to the next.
+_BETWEEN = 6
 # The rows, or columns, beside the waterlines: where the keel lies, and where the deck at side.
+_HEIGHTS = ("keel_height_m", "deck_height_m")
 _EXTRAS = ("keel_height_m", "deck_half_breadth_m", "deck_height_m")
 
 
@@ -66,17 +70,17 @@ def read_wide(table: CsvTable, metres: float, origin_z_m: float) -> WideOffsets:
     if not by_waterline:
         # turned, so that rows are waterlines
         across, down, cells = down, across, [list(column) for column in zip(*cells, strict=True)]
-    waterlines = {name: i for i, name in enumerate(down) if name not in _EXTRAS}
+    waterlines = [(name, i) for i, name in enumerate(down) if name not in _EXTRAS]
     extras = {name: i for i, name in enumerate(down) if name in _EXTRAS}
     if ("deck_height_m" in extras) != ("deck_half_breadth_m" in extras):
         raise BodyPlanError(f"{table.path}: deck_height_m and deck_half_breadth_m go together; give both or none")
-    heights = np.array([_named(table, lines, name, i, by_waterline) for name, i in waterlines.items()])
+    heights = np.array([_named(table, lines, name, i, by_waterline) for name, i in waterlines])
     if len(set(heights)) < len(heights):
         raise BodyPlanError(f"{table.path}: a height stands twice; give each waterline once")
     curves, open_below = [], []
     for column, name in enumerate(across):
         x = _named(table, lines, name, column, not by_waterline)
-        breadths = np.array([cells[row][column] for row in waterlines.values()])
+        breadths = np.array([cells[row][column] for _, row in waterlines])
         ends = {key: cells[row][column] for key, row in extras.items()}
         curve, closed = _curve(table, x, heights, breadths, ends, metres, origin_z_m)
         curves.append((x, curve))
@@ -117,6 +121,7 @@ def _named(table: CsvTable, lines: list[int], name: str, index: int, along_rows:
 def _cells(table: CsvTable, columns: int) -> list[list[float]]:
     """Half-breadths, rows as in the file; nan where a cell is empty."""
     found = []
+    are_breadths = [name.lower() not in _HEIGHTS for name in table.rows[0][1][1:]]
     for line, cells in table.rows[1:]:
         if len(cells) > columns + 1 and any(cells[columns + 1 :]):
             raise BodyPlanError(f"{table.path}, line {line}: has {len(cells)} cells, the header {columns + 1}")
@@ -125,9 +130,10 @@ def _cells(table: CsvTable, columns: int) -> list[list[float]]:
             table.number(line, str(column), cell) if cell and cell != "-" else math.nan
             for column, cell in enumerate(filled, start=2)
         ]
-        if cells[0].lower() not in ("keel_height_m", "deck_height_m") and min([0.0, *row]) < 0:
+        breadths = [0.0] if cells[0].lower() in _HEIGHTS else itertools.compress(row, are_breadths)
+        if min(breadths, default=0.0) < 0:
             raise BodyPlanError(
-                f"{table.path}, line {line}: {min([0.0, *row]):g} is negative; half-breadths are those of one side"
+                f"{table.path}, line {line}: has a half-breadth below 0; half-breadths are those of one side"
             )
         found.append(row)
     return found
@@ -161,11 +167,11 @@ def _curve(
     if z.size < 2:
         raise BodyPlanError(f"{table.path}: the station at {x:g} has {z.size} half-breadths; give two or more")
     if y[0] == 0:
-        return TracedCurve(y * metres, z * metres + origin_z_m), True
+        return _smooth(y, z, metres, origin_z_m), True
     base = -origin_z_m / metres
     if z[0] - base <= _ON_BASE * float(np.ptp(heights)):
         # a flat of bottom
-        return TracedCurve(np.append(0.0, y) * metres, np.append(z[0], z) * metres + origin_z_m), True
+        return _smooth(np.append(0.0, y), np.append(z[0], z), metres, origin_z_m), True
     # straight on, but not below a waterline that she does not reach
     floor = float(heights[heights < z[0]].max(initial=base))
     lean = (y[1] - y[0]) / (z[1] - z[0])
@@ -174,4 +180,16 @@ def _curve(
         z, y = np.concatenate([[floor, floor], z]), np.concatenate([[0.0, at_floor], y])
     else:
         z, y = np.append(z[0] - y[0] / lean, z), np.append(0.0, y)
-    return TracedCurve(y * metres, z * metres + origin_z_m), False
+    return _smooth(y, z, metres, origin_z_m), False
+
+
+def _smooth(y: np.ndarray, z: np.ndarray, metres: float, origin_z_m: float) -> TracedCurve:
+    """The curve through half-breadths at heights that rise, but for a level start: a monotone cubic (PCHIP) y(z)."""
+    start = int(np.flatnonzero(z == z[0])[-1])
+    if z.size - start > 2:
+        steps = np.arange(1, _BETWEEN + 1) / _BETWEEN
+        fine = (z[start:-1, None] + np.diff(z[start:])[:, None] * steps).ravel()
+        between = PchipInterpolator(z[start:], y[start:])(fine)
+        y, z = np.append(y[: start + 1], between), np.append(z[: start + 1], fine)
+    points = enough_points(np.column_stack([y * metres, z * metres + origin_z_m]))
+    return TracedCurve(points[:, 0], points[:, 1])
