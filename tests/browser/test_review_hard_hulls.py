@@ -13,7 +13,7 @@ from review_page import QUIET, ReviewPage, find_chromium, served
 
 from hullform.cli import DONE, DOUBTS, main
 from hullform.picture.reading import read_picture
-from hullform.picture.sheet import prepare_sheet
+from hullform.picture.sheet.sheet import prepare_sheet
 from hullform.ship import read_ship
 
 pytestmark = pytest.mark.browser

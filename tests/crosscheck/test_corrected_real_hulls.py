@@ -9,7 +9,7 @@ from person import GOOD, corrected, corrections_of
 from real_hull import real_hull
 
 from hullform.picture.reading import read_picture
-from hullform.picture.sheet import prepare_sheet
+from hullform.picture.sheet.sheet import prepare_sheet
 from hullform.review_file import new_review, write_review
 from hullform.ship import read_ship
 

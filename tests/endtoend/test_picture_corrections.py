@@ -19,7 +19,7 @@ from hullform.body_plan import Half
 from hullform.corrections import Correction, DeckEdge, Deleted, Drawn, Ignored, Joined, MarkedStation
 from hullform.errors import ReviewError
 from hullform.picture.reading import PictureReading, read_picture, read_sheet
-from hullform.picture.sheet import Sheet, prepare_sheet
+from hullform.picture.sheet.sheet import Sheet, prepare_sheet
 from hullform.review_file import new_review, write_review
 from hullform.ship import Ship, read_ship
 

@@ -11,9 +11,9 @@ import pytest
 from draw_bodyplans import outline
 from reading_accuracy import station_errors
 
-from hullform.picture.labels import can_read_labels
+from hullform.picture.image.labels import can_read_labels
 from hullform.picture.reading import PictureReading, read_sheet
-from hullform.picture.sheet import Sheet, prepare_sheet
+from hullform.picture.sheet.sheet import Sheet, prepare_sheet
 from hullform.ship import Ship, read_ship
 
 BODYPLAN = Path(__file__).parents[2] / "bodyplans" / "ds-tanker"

@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 from reading_accuracy import to_polyline
 
 from hullform.corrections import Correction
-from hullform.picture.frame import DiagonalFrame
-from hullform.picture.half import HalfReading, trace_half
-from hullform.picture.half_ink import HalfInk, pieces_of_curve
-from hullform.picture.ink import ink_of
-from hullform.picture.placing import Placed
-from hullform.picture.ridges import find_peaks
+from hullform.picture.edits.placing import Placed
+from hullform.picture.image.ink import ink_of
+from hullform.picture.pieces.frame import DiagonalFrame
+from hullform.picture.pieces.half_ink import HalfInk, pieces_of_curve
+from hullform.picture.pieces.ridges import find_peaks
+from hullform.picture.tracing.half import HalfReading, trace_half
 
 Array = NDArray[np.float64]
 

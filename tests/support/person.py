@@ -16,7 +16,7 @@ from real_hull import RealHull, TrueStation
 from hullform.body_plan import Half
 from hullform.corrections import Correction, DeckEdge, Drawn, MarkedStation
 from hullform.picture.reading import PictureReading, read_sheet
-from hullform.picture.sheet import Sheet
+from hullform.picture.sheet.sheet import Sheet
 from hullform.review_file import new_review
 from hullform.ship import Ship
 

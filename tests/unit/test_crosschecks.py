@@ -13,7 +13,7 @@ import pytest
 from draw_bodyplans import outline
 
 from hullform.body_plan import Half, Station, TracedCurve
-from hullform.picture.crosschecks import crosscheck
+from hullform.picture.checking.crosschecks import crosscheck
 from hullform.ship import Ship, Water, read_ship
 
 BODYPLANS = Path(__file__).parents[2] / "bodyplans"

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from hullform.errors import PictureError
-from hullform.picture.image_files import load_grey
+from hullform.picture.image.image_files import load_grey
 
 Picture = NDArray[np.uint8]
 

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from hullform.picture.bends import walking_order
-from hullform.picture.contours import NO_LOOP, marks_on_loops, pair_loops
-from hullform.picture.dome import find_dome, only_contours
-from hullform.picture.frame import DiagonalFrame
-from hullform.picture.joints import Tips, joints
-from hullform.picture.marks import PlacedMark, near_curves
-from hullform.picture.winding import closed, ends_at_centre
+from hullform.picture.naming.contours import NO_LOOP, marks_on_loops, pair_loops
+from hullform.picture.naming.marks import PlacedMark, near_curves
+from hullform.picture.pieces.dome import find_dome, only_contours
+from hullform.picture.pieces.frame import DiagonalFrame
+from hullform.picture.pieces.joints import Tips, joints
+from hullform.picture.tracing.bends import walking_order
+from hullform.picture.tracing.winding import closed, ends_at_centre
 from hullform.ship_body_plan import Mark
 
 Array = NDArray[np.float64]

@@ -18,8 +18,8 @@ from hullform.corrections import (
     Knuckle,
     RunTogether,
 )
-from hullform.picture.corrected import correct_ink
-from hullform.picture.half import trace_half
+from hullform.picture.edits.corrected import correct_ink
+from hullform.picture.tracing.half import trace_half
 
 Array = NDArray[np.float64]
 Point = tuple[float, float]

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from hullform.picture.crossings import crossings
-from hullform.picture.frame import DiagonalFrame
+from hullform.picture.naming.crossings import crossings
+from hullform.picture.pieces.frame import DiagonalFrame
 
 Array = NDArray[np.float64]
 

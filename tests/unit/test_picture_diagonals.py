@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from hullform.picture.diagonals import on_diagonals
+from hullform.picture.pieces.diagonals import on_diagonals
 
 SIZE = 800.0  # px per B/2
 

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from hullform.picture.flow import MarkInFrame, Path, find_paths
-from hullform.picture.frame import DiagonalFrame
-from hullform.picture.ink import Ink
-from hullform.picture.ridges import Tracklet, without_hair_lines
-from hullform.picture.sheer import find_sheer
-from hullform.picture.side import find_side
-from hullform.picture.uncrossing import uncrossed
+from hullform.picture.image.ink import Ink
+from hullform.picture.pieces.frame import DiagonalFrame
+from hullform.picture.pieces.ridges import Tracklet, without_hair_lines
+from hullform.picture.pieces.sheer import find_sheer
+from hullform.picture.pieces.side import find_side
+from hullform.picture.tracing.flow import MarkInFrame, Path, find_paths
+from hullform.picture.tracing.uncrossing import uncrossed
 
 Array = NDArray[np.float64]
 HALF_BREADTH, HEIGHT = 600, 700  # px

@@ -5,10 +5,10 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from hullform.picture.expected_lines import expected_lines, is_flat_of_bottom
-from hullform.picture.homography import similarity
-from hullform.picture.ink import ink_of
-from hullform.picture.lines import refine_line
+from hullform.picture.calibrating.expected_lines import expected_lines, is_flat_of_bottom
+from hullform.picture.calibrating.lines import refine_line
+from hullform.picture.image.homography import similarity
+from hullform.picture.image.ink import ink_of
 
 CENTRE, BASE, HALF = 500, 400, 400  # px
 

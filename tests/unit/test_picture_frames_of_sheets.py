@@ -5,8 +5,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from hullform.picture.ink import ink_of
-from hullform.picture.scale import find_combs
+from hullform.picture.calibrating.scale import find_combs
+from hullform.picture.image.ink import ink_of
 
 WHITE = 255
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from hullform.picture.frame import DiagonalFrame
-from hullform.picture.label_doubts import doubts_of_labels, doubts_of_sides
-from hullform.picture.labels import Label
-from hullform.picture.naming import assign_stations, half_breadths_at
-from hullform.picture.proposals import LabelledHalf, clear_labels, label_costs, label_half, labels_in_half
+from hullform.picture.image.labels import Label
+from hullform.picture.naming.alignment import assign_stations, half_breadths_at
+from hullform.picture.naming.label_doubts import doubts_of_labels, doubts_of_sides
+from hullform.picture.naming.proposals import LabelledHalf, clear_labels, label_costs, label_half, labels_in_half
+from hullform.picture.pieces.frame import DiagonalFrame
 from hullform.station_names import StationNames
 
 Array = NDArray[np.float64]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from hullform.picture.naming import NO_CURVE, assign_stations, half_breadths_at, mark_distances
+from hullform.picture.naming.alignment import NO_CURVE, assign_stations, half_breadths_at, mark_distances
 
 Array = NDArray[np.float64]
 # spacings as on a body plan: close at the end, wide towards amidships; the last three lie in the parallel body

@@ -10,12 +10,12 @@ import pytest
 from numpy.typing import NDArray
 
 from hullform.errors import PictureError
-from hullform.picture.calibration import calibrate
-from hullform.picture.flow import find_paths
-from hullform.picture.frame import DiagonalFrame
-from hullform.picture.ink import ink_of
-from hullform.picture.lines import find_lines, subtract_lines
-from hullform.picture.ridges import find_peaks, find_tracklets
+from hullform.picture.calibrating.calibration import calibrate
+from hullform.picture.calibrating.lines import find_lines, subtract_lines
+from hullform.picture.image.ink import ink_of
+from hullform.picture.pieces.frame import DiagonalFrame
+from hullform.picture.pieces.ridges import find_peaks, find_tracklets
+from hullform.picture.tracing.flow import find_paths
 from hullform.ship_body_plan import CalibrationGiven
 
 Array = NDArray[np.float64]

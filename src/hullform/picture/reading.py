@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from hullform.body_plan import BodyPlan, Calibration, Half
 from hullform.corrections import Correction
 from hullform.errors import PictureError
-from hullform.picture.crosschecks import crosscheck
-from hullform.picture.doubts import (
+from hullform.picture.checking.crosschecks import crosscheck
+from hullform.picture.checking.doubts import (
     doubts_below_base,
     doubts_of_counts,
     doubts_of_edges,
@@ -21,17 +21,17 @@ from hullform.picture.doubts import (
     doubts_of_parallel_body,
     doubts_of_scale,
 )
-from hullform.picture.effects import Unheeded, unheeded_corrections
-from hullform.picture.image_files import Picture
-from hullform.picture.input_check import check_input
-from hullform.picture.label_doubts import doubts_of_sides
-from hullform.picture.likeness import explained
-from hullform.picture.loose_ends import doubts_of_loose_ends
-from hullform.picture.named_half import read_half
-from hullform.picture.placing import place_corrections
-from hullform.picture.reduction import Reduction
-from hullform.picture.seen import SeenCurve, StationDoubt, UnusedLine
-from hullform.picture.sheet import HALVES, Sheet, prepare_sheet
+from hullform.picture.checking.effects import Unheeded, unheeded_corrections
+from hullform.picture.checking.loose_ends import doubts_of_loose_ends
+from hullform.picture.edits.placing import place_corrections
+from hullform.picture.image.image_files import Picture
+from hullform.picture.image.reduction import Reduction
+from hullform.picture.naming.label_doubts import doubts_of_sides
+from hullform.picture.naming.named_half import read_half
+from hullform.picture.naming.seen import SeenCurve, StationDoubt, UnusedLine
+from hullform.picture.sheet.input_check import check_input
+from hullform.picture.sheet.likeness import explained
+from hullform.picture.sheet.sheet import HALVES, Sheet, prepare_sheet
 from hullform.review_file import read_review
 from hullform.ship import Ship
 

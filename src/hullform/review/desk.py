@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.errors import HullformError, PictureError
-from hullform.picture.image_files import load_grey
+from hullform.picture.image.image_files import load_grey
 from hullform.picture.reading import PictureReading, read_sheet
-from hullform.picture.sheet import Sheet, prepare_sheet
+from hullform.picture.sheet.sheet import Sheet, prepare_sheet
 from hullform.review.strip import straightened
 from hullform.review.view import reading_document
 from hullform.review_file import Review, checked_review, new_review, read_review, write_review

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from hullform.picture.half_ink import HalfInk
-from hullform.picture.placing import stored_of_drawing
-from hullform.picture.reduction import Reduction
+from hullform.picture.edits.placing import stored_of_drawing
+from hullform.picture.image.reduction import Reduction
+from hullform.picture.pieces.half_ink import HalfInk
 
 Array = NDArray[np.float64]
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import cv2
 
 from hullform.errors import PictureError
-from hullform.picture.image_files import load_grey
+from hullform.picture.image.image_files import load_grey
 
 # first bytes of the types that every browser shows
 KNOWN = ((b"\x89PNG\r\n\x1a\n", "image/png"), (b"\xff\xd8\xff", "image/jpeg"))

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.body_plan import Calibration, Half, Station
+from hullform.picture.naming.seen import SeenCurve
 from hullform.picture.reading import PictureReading
-from hullform.picture.seen import SeenCurve
-from hullform.picture.sheet import HALVES, Sheet
+from hullform.picture.sheet.sheet import HALVES, Sheet
 from hullform.review.evidence import Evidence
 from hullform.review.form import waterlines
 from hullform.ship import Ship

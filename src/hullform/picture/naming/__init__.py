@@ -1,0 +1,1 @@
+"""Which curve is which station: marks, labels, order and spacing."""
