@@ -30,5 +30,5 @@ deadweight_t = 38000.0
 def form_ship(folder: Path, body_plan: str = "", ship: str = SHIP) -> Ship:
     """Write her ship.toml with a [body_plan] into a folder and read it."""
     path = folder / "ship.toml"
-    path.write_text(ship + body_plan + LOADED, encoding="utf-8")
+    path.write_text(f"{ship}{body_plan}\n{LOADED}", encoding="utf-8")
     return read_ship(path)

@@ -12,7 +12,7 @@ from hullform.doors.half_sections import HalfSection, Sizes, half_section
 from hullform.doors.surface import Surface
 
 Array = NDArray[np.float64]
-SIZES = Sizes(centre=1e-3, bridge=1.0, deck=5.0)
+SIZES = Sizes(centre=1e-5, seam=1e-3, bridge=1.0, deck=5.0)
 
 
 def surface(mesh: trimesh.Trimesh) -> Surface:
@@ -77,7 +77,7 @@ def test_the_winding_of_triangles_does_not_matter() -> None:
 def test_a_round_top_below_the_water_is_no_deck() -> None:
     # 64 sides: the polygon's half area is 32 r^2 sin(pi / 32) / 2
     expected = 0.5 * 32 * 3.0**2 * np.sin(np.pi / 32)
-    deep = Sizes(centre=1e-3, bridge=1.0, deck=7.0)
+    deep = Sizes(centre=1e-5, seam=1e-3, bridge=1.0, deck=7.0)
     (curve,) = halves(cylinder(3.0, 6.0), 9.0, sizes=deep).curves
     assert curve[-1] == pytest.approx([0.0, 6.0])
     assert area(halves(cylinder(3.0, 6.0), 9.0, sizes=deep)) == pytest.approx(expected, rel=1e-9)
@@ -96,7 +96,7 @@ def test_a_bulb_below_a_flare_gives_two_curves_the_lower_first() -> None:
     flare = box(depth=8.0)
     flare.apply_translation([0, 0, 7.0])
     both = trimesh.util.concatenate([flare, cylinder(2.0, 20.0, low=0.5)])
-    low, high = halves(both, 10.0, sizes=Sizes(1e-3, 1.0, 6.0)).curves
+    low, high = halves(both, 10.0, sizes=Sizes(1e-5, 1e-3, 1.0, 6.0)).curves
     assert (low[0], low[-1]) == (pytest.approx([0.0, 0.5]), pytest.approx([0.0, 4.5]))
     assert (high[0], high[-1]) == (pytest.approx([0.0, 7.0]), pytest.approx([5.0, 15.0]))
 

@@ -19,12 +19,14 @@ class Sizes:
 
     Attributes:
         centre: a point nearer to the centre plane lies in it.
+        seam: and so does an end of the mesh that is nearer, where it is of one side or in two halves.
         bridge: a hole no wider is closed by a straight line.
         deck: height above which a curve that comes back to the centre plane does so along a deck; a bulb's top lies
             below it.
     """
 
     centre: float
+    seam: float
     bridge: float
     deck: float
 
@@ -63,6 +65,9 @@ def half_section(chains: Sequence[Chain], side: int, sizes: Sizes, up_to_m: floa
     apart = 0.0
     for chain in chains:
         points = chain.points * [side, 1.0]
+        if not chain.closed:
+            ends = points[[0, -1], 0]
+            points[[0, -1], 0] = np.where(np.abs(ends) <= sizes.seam, 0.0, ends)
         runs = _beside_the_centre(points, chain.closed, sizes.centre)
         for run, closed in runs:
             if closed:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -23,18 +22,19 @@ from hullform.ship_body_plan import MeshSource
 
 Array = NDArray[np.float64]
 
-FIRST_STATIONS, MOST_STATIONS = 33, 129
-# Of the largest section: where the area halfway between two stations is off the curve through all by more, a station
-# comes there.
-_OFF_THE_CURVE = 5e-4
-# Of the length: stations no closer than this are put between others.
-_CLOSEST = 0.002
+# Cuts among which the stations are found, beside those through rows of vertices, and the fewest stations.
+CUTS, FEWEST = 161, 25
+# Vertices in a plane across the ship that make a row, where a surface may have a crease.
+_ROW = 16
+# By how much the area of a cut may be off the curve through the stations: by this share of itself, but no less than the
+# second and no more than the third of the largest.
+_OFF_THE_AREA, _LEAST_OFF, _OFF_THE_CURVE = 2e-3, 1e-4, 5e-4
 # Of the length: so far from the ends of the mesh the first and the last cut may lie, the nearest that has a section.
 _FROM_THE_END = (1e-5, 1e-4, 1e-3, 3e-3)
 # Places along the ship are told to the millimetre.
 _DECIMALS = 3
 # Of the breadth: `Sizes`.
-_CENTRE, _BRIDGE = 1e-4, 0.1
+_CENTRE, _SEAM, _BRIDGE = 1e-6, 1e-4, 0.1
 # Of the largest section: what is left out, and by how much the two sides may differ, without a word.
 _APART, _UNLIKE = 0.002, 0.005
 
@@ -87,7 +87,8 @@ def read_mesh(ship: Ship, source: MeshSource) -> BodyPlan:
     doubts = list(require_in_place(surface, source, main))
     notes = [f"{source.file.name}: {len(surface.faces)} triangles", *_notes_of(source, flaws_of(surface))]
     sides = sides_of(surface, main.breadth_m)
-    sizes = Sizes(_CENTRE * main.breadth_m, _BRIDGE * main.breadth_m, main.draught_m)
+    breadth = main.breadth_m
+    sizes = Sizes(_CENTRE * breadth, _SEAM * breadth, _BRIDGE * breadth, main.draught_m)
 
     def at(x_m: float) -> list[HalfSection]:
         chains = cut(surface, x_m)
@@ -97,7 +98,7 @@ def read_mesh(ship: Ship, source: MeshSource) -> BodyPlan:
         found = {x: at(x) for x in source.stations_m}
     else:
         first, last = np.clip(surface.bounds[:, 0], 0.0, main.length_overall_m)
-        found = _cut_where_it_changes(at, float(first), float(last), main.draught_m)
+        found = _cut_where_it_changes(at, float(first), float(last), _rows(surface), main.draught_m)
     _require_whole(source, found, sizes)
     midships = main.aft_perpendicular_m + main.length_between_perpendiculars_m / 2
     stations = tuple(
@@ -117,32 +118,38 @@ def read_mesh(ship: Ship, source: MeshSource) -> BodyPlan:
 
 
 def _cut_where_it_changes(
-    at: Callable[[float], list[HalfSection]], first_m: float, last_m: float, draught_m: float
+    at: Callable[[float], list[HalfSection]], first_m: float, last_m: float, rows_m: Array, draught_m: float
 ) -> dict[float, list[HalfSection]]:
-    """Cut between two places, closer together at the ends and wherever the areas below draught and deck change fast."""
-    length = last_m - first_m
-    insets = [round(share * length, _DECIMALS) for share in _FROM_THE_END]
+    """Cut between two places in many, rows of vertices among them, and keep what a curve cannot do without.
+
+    The curve is a monotone cubic, as between the stations of a hull; the areas are those below draught and deck.
+    """
+    insets = [round(share * (last_m - first_m), _DECIMALS) for share in _FROM_THE_END]
     ends = [
         next((x for x in near if at(x)[0].curves), near[-1])
         for near in ([round(end + sign * d, _DECIMALS) for d in insets] for end, sign in ((first_m, 1), (last_m, -1)))
     ]
-    places = np.round(ends[0] + station_places(ends[1] - ends[0], FIRST_STATIONS), _DECIMALS)
-    found = {float(x): at(float(x)) for x in places}
-    spans = list(itertools.pairwise(found))
-    while spans and len(found) < MOST_STATIONS:
-        halfway = [round((one + other) / 2, _DECIMALS) for one, other in spans]
-        between = {x: at(x) for x in halfway}
-        known = np.array(sorted(found))
-        areas = np.array([_areas(found[place], draught_m) for place in known])
-        through = PchipInterpolator(known, areas)(np.array(halfway))
-        off = np.array([_areas(halves, draught_m) for halves in between.values()]) - through
-        wanted = (np.abs(off) > _OFF_THE_CURVE * areas.max(axis=0)).any(axis=1)
-        halved = [
-            (span, x, halves) for span, (x, halves), ask in zip(spans, between.items(), wanted, strict=True) if ask
-        ]
-        found |= {x: halves for _, x, halves in halved}
-        spans = [half for (one, other), x, _ in halved for half in ((one, x), (x, other))]
-    return dict(sorted(found.items()))
+    rows = rows_m[(rows_m > ends[0]) & (rows_m < ends[1])]
+    x = np.unique(np.round(np.append(ends[0] + station_places(ends[1] - ends[0], CUTS), rows), _DECIMALS))
+    halves = [at(place) for place in x.tolist()]
+    areas = np.array([_areas(section, draught_m) for section in halves])
+    limit = np.clip(_OFF_THE_AREA * areas, *(share * areas.max(axis=0) for share in (_LEAST_OFF, _OFF_THE_CURVE)))
+    kept = np.zeros(len(x), dtype=bool)
+    kept[np.linspace(0, len(x) - 1, FEWEST).round().astype(int)] = True
+    while True:
+        over = (np.abs(areas - PchipInterpolator(x[kept], areas[kept])(x)) / limit).max(axis=1)
+        part = np.cumsum(kept)
+        # of every part between two stations that has one, the cut that is the furthest off
+        worst = [int(np.argmax(np.where(part == number, over, 0.0))) for number in np.unique(part[over > 1])]
+        if not worst:
+            return {float(x[i]): halves[i] for i in np.flatnonzero(kept)}
+        kept[worst] = True
+
+
+def _rows(surface: Surface) -> Array:
+    """x in m of the planes across the ship in which there are many vertices: where it was lofted, or its frames."""
+    x, count = np.unique(np.round(surface.vertices[np.unique(surface.faces), 0], _DECIMALS), return_counts=True)
+    return np.asarray(x[count >= _ROW])
 
 
 def _areas(halves: Sequence[HalfSection], draught_m: float) -> tuple[float, float]:

@@ -7,7 +7,7 @@ import itertools
 from hullform.doors.surface import Surface, axis_vector
 from hullform.errors import BodyPlanError
 from hullform.ship import Particulars
-from hullform.ship_body_plan import METRES_PER, Axis, MeshSource, Unit
+from hullform.ship_body_plan import METRES_PER, MeshSource, Unit
 
 # Of the length and the breadth: a mesh that is as far off is another ship, or in another unit or turned.
 _OTHER_LENGTH, _OTHER_BREADTH = 0.1, 0.25
@@ -79,18 +79,20 @@ def _remedy(surface: Surface, source: MeshSource, main: Particulars) -> str:
     (third,) = set("xyz") - set(raw)
     raw[third] = named["port"] / METRES_PER[source.unit]
     units: list[Unit] = [source.unit, *(unit for unit in METRES_PER if unit != source.unit)]
+    fitting = []
     for unit, (ahead, across, upright) in itertools.product(units, itertools.permutations("xyz")):
-        scale = METRES_PER[unit]
-        if abs(raw[ahead] * scale / main.length_overall_m - 1) <= _OTHER_LENGTH and _near(
-            raw[across] * scale, main.breadth_m
-        ):
-            written = [f'unit = "{unit}"'] if unit != source.unit else []
-            if ahead != source.forward[1] or upright != source.up[1]:
-                forward: Axis = source.forward if ahead == source.forward[1] else f"+{ahead}"  # type: ignore[assignment]
-                up: Axis = source.up if upright == source.up[1] else f"+{upright}"  # type: ignore[assignment]
-                written.append(f'forward = "{forward}" and up = "{up}" (or "-", where they point the other way)')
-            return f"write {', '.join(written)} in [body_plan]"
-    return "it is another ship, or only a part of this one: check length_overall_m and breadth_m"
+        long, broad, high = (METRES_PER[unit] * raw[axis] for axis in (ahead, across, upright))
+        if abs(long / main.length_overall_m - 1) <= _OTHER_LENGTH and _near(broad, main.breadth_m):
+            fitting.append((abs(high / main.depth_m - 1), unit, ahead, upright))
+    if not fitting:
+        return "it is another ship, or only a part of this one: check length_overall_m and breadth_m"
+    _, unit, ahead, upright = min(fitting, key=lambda fit: fit[0])
+    written = [f'unit = "{unit}"'] if unit != source.unit else []
+    if (ahead, upright) != (source.forward[1], source.up[1]):
+        forward = source.forward if ahead == source.forward[1] else f"+{ahead}"
+        up = source.up if upright == source.up[1] else f"+{upright}"
+        written.append(f'forward = "{forward}" and up = "{up}" (or "-", where they point the other way)')
+    return f"write {', '.join(written)} in [body_plan]"
 
 
 def _doubts(
