@@ -63,7 +63,9 @@ def test_the_curve_encloses_what_was_asked_for(block: float, lcb: float) -> None
     # the ends of the curve are swung between samples: 1e-4 of it
     assert whole == pytest.approx(block / midship, rel=2e-4)
     assert np.trapezoid(area * u, u) / whole - 0.5 == pytest.approx(lcb, abs=1e-4)
-    assert (area.max(), area[0], area[-1]) == pytest.approx((1.0, 0.0, 0.0), abs=1e-9)
+    assert area.max() <= 1.0
+    assert curve(curve.shoulders) == pytest.approx([1.0, 1.0], abs=1e-12)
+    assert (area[0], area[-1]) == (0.0, 0.0)
     assert (np.diff(area[: area.argmax()]) >= 0).all()
 
 
@@ -96,11 +98,13 @@ def test_the_hull_has_the_fullness_and_the_centre_of_buoyancy(block: float, dept
     # thirty stations of a form whose ends are rounded off: 0.3 %, of the 1 % at which a check speaks
     assert afloat.block_coefficient == pytest.approx(block, rel=0.003)
     midship = midship_coefficient(block)
-    # at full displacement the largest section may lie forward of midships, swung there
-    assert float(hull.sectional_areas(13.2).max()) == pytest.approx(midship * 32.2 * 13.2, rel=0.002)
+    # the largest section may lie off midships, swung there; of the finest form it is a peak, which the loft rounds
+    (shoulder, _) = area_curve(block, midship, lcb_share(block / midship)).shoulders
+    largest = hull.sectional_areas(13.2, of.particulars.aft_perpendicular_m + 248.0 * shoulder)
+    assert float(largest) == pytest.approx(midship * 32.2 * 13.2, rel=0.003)
     assert afloat.lcb_from_midships_m / 248.0 == pytest.approx(lcb_share(block / midship), abs=0.001)
     assert hull.mesh().is_watertight
-    assert hull.half_breadth_m.max() == pytest.approx(16.1, rel=1e-3)
+    assert hull.half_breadth_m.max() == pytest.approx(16.1, rel=3e-3)
 
 
 def test_what_is_given_is_taken() -> None:

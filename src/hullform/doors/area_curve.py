@@ -49,6 +49,11 @@ class AreaCurve:
         """Its length over LPP."""
         return 1.0 - self.entrance - self.run
 
+    @property
+    def shoulders(self) -> tuple[float, float]:
+        """Places over LPP between which the areas are the largest."""
+        return self.run + self.swing, 1 - self.entrance + self.swing
+
     def before_swinging(self, share: ArrayLike) -> Array:
         """Areas over the largest at places over LPP, 0 at the aft perpendicular."""
         u = np.asarray(share, dtype=np.float64)
@@ -57,7 +62,7 @@ class AreaCurve:
 
     def __call__(self, share: ArrayLike) -> Array:
         """Areas over the largest at places over LPP, 0 at the aft perpendicular; 0 beyond both ends."""
-        u = _cosine_spaced(_SAMPLES)
+        u = np.sort(np.append(_cosine_spaced(_SAMPLES), [self.run, 1 - self.entrance]))
         area = self.before_swinging(u)
         return np.interp(np.asarray(share, dtype=np.float64), u + self.swing * area, area, left=0.0, right=0.0)
 

@@ -108,7 +108,7 @@ def form_after_particulars(ship: Ship, source: ParticularsSource) -> BodyPlan:
         BodyPlanError: as `form_of`.
     """
     form, main = form_of(ship, source), ship.particulars
-    x = _places(main)
+    x = _places(main, form.curve)
     keel, half_breadth = _keel(main, x), _deck_half_breadth(main, form.curve, x)
     area = form.midship_coefficient * main.breadth_m * main.draught_m * form.curve(_share(main, x))
     depth, immersed = main.depth_m - keel, np.maximum(main.draught_m - keel, 0.0)
@@ -154,11 +154,11 @@ def _share(main: Particulars, x: Array) -> Array:
     return (x - main.aft_perpendicular_m) / main.length_between_perpendiculars_m
 
 
-def _places(main: Particulars) -> Array:
-    """x of the stations: between the perpendiculars, and in the overhangs."""
+def _places(main: Particulars, curve: AreaCurve) -> Array:
+    """x of the stations: between the perpendiculars, at the shoulders of the areas, and in the overhangs."""
     aft, length = main.aft_perpendicular_m, main.length_between_perpendiculars_m
     overhang = main.length_overall_m - aft - length
-    parts = [aft + length * _PLACES]
+    parts = [aft + length * np.append(_PLACES, curve.shoulders)]
     parts += [aft * (1 - _OVERHANG)] * (aft > 0) + [aft + length + overhang * _OVERHANG] * (overhang > 0)
     return np.unique(np.concatenate(parts).round(3))
 
