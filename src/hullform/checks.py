@@ -221,7 +221,7 @@ def check_displacement(mass_kg: float, at_draught: Hydrostatics) -> Check:
         100 * (at_draught.displacement_kg / mass_kg - 1),
         DISPLACEMENT_LIMIT_PERCENT,
         "%",
-        "check the draught, the deadweight and the light ship, then the picture's calibration",
+        "check the draught, the deadweight and the light ship, then the scale of the body plan",
     )
 
 
@@ -233,7 +233,7 @@ def check_floating(mass_kg: float, capacity_kg: float, depth_m: float) -> Check:
         100 * mass_kg / capacity_kg,
         (0.0, 100 + DISPLACEMENT_LIMIT_PERCENT),
         "%",
-        "she would sink: check the weights, the depth and the picture's calibration",
+        "she would sink: check the weights, the depth and the scale of the body plan",
         usual=0.0,
     )
 

@@ -36,6 +36,6 @@ def summary(run: Run) -> str:
                 f"{significant(modes.angular_frequencies[mode]):>10}"
                 f"{significant(euler.frequencies_hz[mode]):>11}"
             )
-    if run.doubts:
+    if any(" *" in line for line in lines):
         lines += ["", "* something is wrong with the ship or the condition: see the doubts"]
     return "\n".join(lines)
