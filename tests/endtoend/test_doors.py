@@ -26,7 +26,7 @@ DOORS = {
 }
 # Of a figure of the picture's: table and mesh are of her own hull; a form of the particulars has her fullness, not her
 # lines.
-AGREEMENT = {"offsets": 1e-4, "mesh": 2e-3, "particulars": 0.02}
+AGREEMENT = {"offsets": 1e-4, "mesh": 1e-3, "particulars": 0.02}
 Runs = Callable[[str], Any]
 
 

@@ -6,6 +6,7 @@ import pytest
 
 from hullform.loading import watson
 from hullform.ship import Particulars
+from hullform.ship_structure import Superstructure
 
 
 def ship(type_: str, loa: float, lpp: float, b: float, d: float, t: float) -> Particulars:
@@ -29,6 +30,16 @@ def test_numeral() -> None:
     # by hand: 248 (32.2 + 13.2) + 0.85 * 248 (19.5 - 13.2); 239 (44 + 15.1) + 0.85 * 239 (21.5 - 15.1)
     assert watson.hull_numeral(CONTAINER) == pytest.approx(12587.24, abs=0.01)
     assert watson.hull_numeral(TANKER) == pytest.approx(15425.06, abs=0.01)
+
+
+def test_houses_count_in_the_numeral_and_the_steel() -> None:
+    # a forecastle from side to side, 20 m by 2.5 m at 0.85, and a house, 30 m by 12 m at 0.75 (p. 82)
+    forecastle = Superstructure(height_m=2.5, breadth_m=32.0, from_m=242.0)
+    house = Superstructure(height_m=12.0, breadth_m=26.0, from_m=30.0, to_m=60.0)
+    with_houses = watson.hull_numeral(CONTAINER, [forecastle, house])
+    assert with_houses - watson.hull_numeral(CONTAINER) == pytest.approx(0.85 * 20 * 2.5 + 0.75 * 30 * 12)
+    steel = [watson.steel_weight(CONTAINER, 0.691, houses).weight_t for houses in ((), (forecastle, house))]
+    assert steel[1] / steel[0] == pytest.approx((with_houses / 12587.24) ** 1.36, rel=1e-6)
 
 
 @pytest.mark.parametrize(
