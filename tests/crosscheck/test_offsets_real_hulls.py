@@ -1,4 +1,4 @@
-"""Tables of offsets of real hulls, of both forms, against the areas and the volume of their sources."""
+"""Tables of offsets of real hulls, of both forms, against the areas of their sources; their hulls through a mesh."""
 
 from __future__ import annotations
 
@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from hullform import trace
+from hullform import Hull, trace
 from hullform.body_plan import BodyPlan
+from hullform.hull.mesh_files import export_mesh
 from hullform.ship import read_ship
 
 HULLS = Path(os.environ.get("HULLFORM_SHARED", Path(__file__).parents[3] / "shared")) / "hulls"
@@ -55,14 +56,18 @@ origin_x_m = {aft!r}
     return trace(read_ship(folder / "ship.toml"))
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_every_station_has_the_area_of_its_source(tmp_path: Path, name: str) -> None:
-    hull = offsets_of(name)
+def points_of(hull: dict[str, Any]) -> list[list[Any]]:
     rows: list[list[Any]] = [["station_x_m", "curve", "half_breadth_m", "height_m"]]
     for station in hull["stations"]:
         for number, curve in enumerate(station["curves"] or [station["points"]]):
             rows += [[station["x"], number, max(y, 0.0), z] for y, z in curve]
-    body_plan = read(tmp_path, hull, rows)
+    return rows
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_station_has_the_area_of_its_source(tmp_path: Path, name: str) -> None:
+    hull = offsets_of(name)
+    body_plan = read(tmp_path, hull, points_of(hull))
     assert len(body_plan.stations) == len(hull["stations"])
     largest = max(station["area_to_T"] for station in hull["stations"])
     for station, true in zip(body_plan.stations, hull["stations"], strict=True):
@@ -91,3 +96,20 @@ def test_a_wide_table_of_eight_waterlines_has_the_areas_within_a_per_cent(tmp_pa
     # Series 60 has its bilge between the base line and the first waterline; per cents of the largest section
     assert np.abs(areas - true).max() < 0.01 * true.max()
     assert areas.sum() == pytest.approx(true.sum(), rel=0.005)
+
+
+@pytest.mark.parametrize("name", ["oural", "patrol27", "workboat70"])
+def test_a_real_hull_comes_back_through_her_mesh(tmp_path: Path, name: str) -> None:
+    offsets = offsets_of(name)
+    body_plan = read(tmp_path, offsets, points_of(offsets))
+    toml = tmp_path / "ship.toml"
+    particulars = read_ship(toml).particulars
+    hull = Hull.from_body_plan(body_plan, particulars)
+    export_mesh(hull, tmp_path / "hull.stl")
+    text = toml.read_text(encoding="utf-8")
+    toml.write_text(text[: text.index("[body_plan]")] + '[body_plan]\nmesh = "hull.stl"\n', encoding="utf-8")
+    again = Hull.from_body_plan(trace(read_ship(toml)), particulars)
+    assert again.volume_m3 == pytest.approx(hull.volume_m3, rel=1e-3)
+    for draught in (None, offsets["T"]):
+        areas, back = (h.sectional_areas(draught, hull.x_m[1:-1]) for h in (hull, again))
+        assert np.abs(back - areas).max() < 0.003 * areas.max()

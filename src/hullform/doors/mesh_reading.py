@@ -28,7 +28,7 @@ CUTS, FEWEST = 161, 25
 _ROW = 16
 # By how much the area of a cut may be off the curve through the stations: by this share of itself, but no less than the
 # second and no more than the third of the largest.
-_OFF_THE_AREA, _LEAST_OFF, _OFF_THE_CURVE = 2e-3, 1e-4, 5e-4
+_OFF_THE_AREA, _LEAST_OFF, _OFF_THE_CURVE = 2e-3, 2e-4, 8e-4
 # Of the length: so far from the ends of the mesh the first and the last cut may lie, the nearest that has a section.
 _FROM_THE_END = (1e-5, 1e-4, 1e-3, 3e-3)
 # Places along the ship are told to the millimetre.

@@ -34,7 +34,7 @@ _COUNTER, _FOREFOOT = 0.12, 0.03
 _COUNTER_RISE = 0.4
 # The deck: breadth of the transom over her own, lengths over LOA in which it comes to the full breadth, and the power
 # of its ends.
-_TRANSOM, _DECK_AFT, _DECK_FORE, _DECK_POWER = 0.7, 0.3, 0.25, 2.2
+_TRANSOM, _DECK_AFT, _DECK_FORE, _DECK_POWER = 0.7, 0.3, 0.25, 3.0
 # Waterline ends over those of the areas: (A / Am)^0.75, between sections that keep their breadth and those that keep
 # their depth.
 _WATERLINE_POWER = 0.75
