@@ -18,11 +18,11 @@ from typing import Any
 import cv2
 import numpy as np
 from drawing.form import faults
-from drawing.outline import Outline, outline
 from drawing.picture import Drawing, draw
+from drawing.ships import outline
 from drawing.tables import PARTICULARS
 
-__all__ = ["Drawing", "Outline", "draw", "further_pictures", "main", "outline"]
+__all__ = ["Drawing", "draw", "further_pictures", "main", "outline"]
 
 FOLDER = Path(__file__).resolve().parent.parent / "bodyplans"
 

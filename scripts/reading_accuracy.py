@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    from drawing.outline import Outline
+    from drawing.moulded import Moulded
 
     from hullform.picture.reading import PictureReading
 
@@ -46,16 +46,25 @@ def area_below(line: Array, height: float) -> float:
     return float(np.trapezoid(np.interp(z, np.maximum.accumulate(line[:, 1]), line[:, 0]), z)) if z[-1] > z[0] else 0.0
 
 
-def station_errors(hull: Outline, reading: PictureReading) -> StationErrors:
-    """Every traced station of a reading against the outline that its picture was drawn from."""
+def station_errors(hull: Moulded, reading: PictureReading) -> StationErrors:
+    """Every traced station of a reading, all its curves, against the form that its picture was drawn from."""
     stations = reading.body_plan.stations
-    truths = [hull.section(station.x_m, 600) for station in stations]
-    largest = max(area_below(truth, np.inf) for truth in truths)
+    truths = [hull.curves(station.x_m, 600) for station in stations]
+    largest = max(sum(area_below(curve, np.inf) for curve in truth) for truth in truths)
     rms, areas = [], []
     for station, truth in zip(stations, truths, strict=True):
-        traced = evenly(station.curves[0].points)
-        there, back = to_polyline(evenly(truth), traced), to_polyline(traced, truth)
+        traced = [evenly(curve.points) for curve in station.curves]
+        there = _to_nearest(np.vstack([evenly(curve) for curve in truth]), traced)
+        back = _to_nearest(np.vstack(traced), truth)
         rms.append(100 * max(np.sqrt(np.mean(there**2)), np.sqrt(np.mean(back**2))) / (reading.breadth_m / 2))
-        heights = (reading.draught_m, np.inf)
-        areas.append([100 * (area_below(traced, h) - area_below(truth, h)) / largest for h in heights])
+        read, drawn = (
+            np.array([sum(area_below(curve, height) for curve in curves) for height in (reading.draught_m, np.inf)])
+            for curves in (traced, truth)
+        )
+        areas.append(100 * (read - drawn) / largest)
     return StationErrors(np.array(rms), np.array(areas))
+
+
+def _to_nearest(points: Array, lines: list[Array]) -> Array:
+    """Distance of each point to the nearest of several polylines."""
+    return np.min([to_polyline(points, line) for line in lines], axis=0)

@@ -1,1 +1,1 @@
-"""The hull forms of the three ships in bodyplans/, and the drawing of their body plans."""
+"""The hull forms of the ships in bodyplans/, and the drawing of their body plans."""

@@ -1,4 +1,4 @@
-"""The form of a drawn ship: sections, areas, volume and coefficients by the drawing's own integration."""
+"""Ships drawn from rectellipses: a table of stations, monotone cubics between them."""
 
 from __future__ import annotations
 
@@ -8,13 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from drawing.interpolation import interpolate
-from drawing.tables import DS_TANKER, PARTICULARS, SCIM_CONTAINERSHIP, Particulars
+from drawing.moulded import Moulded
+from drawing.tables import DS_TANKER, SCIM_CONTAINERSHIP, Particulars
 
 Array = NDArray[np.float64]
 
-SALT_WATER_T_PER_M3 = 1.025
 _TABLES = {"scim-containership": SCIM_CONTAINERSHIP, "ds-tanker": DS_TANKER}
-_GAUSS_NODES, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(6)
 _SAMPLES = 1200
 
 
@@ -57,8 +56,8 @@ class Station:
 
 
 @dataclass(frozen=True)
-class Outline:
-    """A drawn ship's moulded surface; x from the aft end, y from the centreline, z from the base line, metres."""
+class Outline(Moulded):
+    """A ship whose every section is a rectellipse."""
 
     name: str
     particulars: Particulars
@@ -94,46 +93,21 @@ class Outline:
         points = np.vstack([below, [station.half_breadth_at(end), end]])
         return float(np.sum((points[1:, 0] + points[:-1, 0]) * np.diff(points[:, 1])))
 
-    def _places(self) -> tuple[Array, Array]:
-        """Return Gauss points and weights over the length, six to each interval of the table (or of 40)."""
-        length = self.particulars.length_overall_m
-        breaks = np.linspace(0.0, length, 41) if self.name == "wigley" else np.array([r[0] for r in _TABLES[self.name]])
-        breaks = np.sort(np.concatenate([breaks, 0.5 * (breaks[1:] + breaks[:-1])]))
-        half = 0.5 * np.diff(breaks)[:, None]
-        x = 0.5 * (breaks[1:] + breaks[:-1])[:, None] + half * _GAUSS_NODES
-        return x.ravel(), (half * _GAUSS_WEIGHTS).ravel()
+    def curves(self, x: float, n: int = 400) -> list[Array]:
+        """Return the one curve of the section."""
+        return [self.section(x, n)]
 
-    def volume(self, draught: float) -> float:
-        """Return the moulded volume below a draught on even keel, m^3."""
-        x, weights = self._places()
-        return float(weights @ [self.section_area(float(s), draught) for s in x])
+    def deck_edge(self, x: float) -> tuple[float, float]:
+        """Return half-breadth and height of the deck edge at x."""
+        station = self.station(x)
+        return station.half_breadth, station.top
 
-    def coefficients(self) -> dict[str, float]:
-        """Return displacement (t), block, midship, prismatic and waterplane coefficients and LCB at the draught.
+    def half_breadth_at(self, x: float, height: float) -> float:
+        """Return the half-breadth at a height, nought below the keel."""
+        return self.station(x).half_breadth_at(height)
 
-        Lengths are those between perpendiculars; LCB is in per cent of it, forward of midships positive.
-        """
-        main = self.particulars
-        length, breadth, draught = main.length_between_perpendiculars_m, main.breadth_m, main.draught_m
-        midships = main.aft_perpendicular_m + 0.5 * length
-        x, weights = self._places()
-        areas = np.array([self.section_area(float(s), draught) for s in x])
-        breadths = np.array([2.0 * self.station(float(s)).half_breadth_at(draught) for s in x])
-        volume = float(weights @ areas)
-        block = volume / (length * breadth * draught)
-        midship = self.section_area(midships, draught) / (breadth * draught)
-        return {
-            "displacement_t": SALT_WATER_T_PER_M3 * volume,
-            "block": block,
-            "midship": midship,
-            "prismatic": block / midship,
-            "waterplane": float(weights @ breadths) / (length * breadth),
-            "lcb_percent": 100.0 * (float(weights @ (areas * x)) / volume - midships) / length,
-        }
-
-
-def outline(ship: str) -> Outline:
-    """Return the outline of one of the drawn ships; raise ValueError for a name that is not among them."""
-    if ship not in PARTICULARS:
-        raise ValueError(f"there is no drawn ship {ship!r}; there are {', '.join(PARTICULARS)}")
-    return Outline(ship, PARTICULARS[ship])
+    def breaks(self) -> Array:
+        """Return the table's places; forty equal steps for Wigley's hull, which has no table."""
+        if self.name == "wigley":
+            return np.linspace(0.0, self.particulars.length_overall_m, 41)
+        return np.array([row[0] for row in _TABLES[self.name]])

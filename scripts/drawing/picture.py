@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from drawing.labels import Label, place_labels
-from drawing.outline import Outline
+from drawing.moulded import Moulded
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -54,7 +54,7 @@ class Sheet(NamedTuple):
 
 
 def draw(
-    outline: Outline,
+    outline: Moulded,
     width_px: int = 2000,
     curve_px: float = 2.2,
     grid_px: float = 1.0,
@@ -77,9 +77,12 @@ def draw(
         _draw_sheer(axes, outline, sheet, grid_px)
         size = 0.0082 * width_px
         margin = _margin(outline, sheet)
-        for label in place_labels(curves, _sheer_line(outline, sheet), margin, size, label_seed):
+        # the number of a station of two curves stands at the upper one, which ends at the deck
+        numbered = [(label, station[-1]) for label, station in curves]
+        others = [curve for _, station in curves for curve in station[:-1]]
+        for label in place_labels(numbered, _sheer_line(outline, sheet) + others, margin, size, label_seed):
             _draw_label(axes, label, size, curve_px)
-        for _, points in curves:
+        for points in (curve for _, station in curves for curve in station):
             axes.plot(*points.T, color=CURVE, lw=curve_px, zorder=5, solid_joinstyle="round", snap=False)
         _draw_title(axes, outline, sheet)
         pixels = BytesIO()
@@ -88,44 +91,51 @@ def draw(
     return Drawing(image, sheet.centreline, sheet.baseline, sheet.metres_per_px)
 
 
-def _sheet(outline: Outline, width_px: int) -> Sheet:
+def _sheet(outline: Moulded, width_px: int) -> Sheet:
     main = outline.particulars
     scale = main.breadth_m / (0.83 * width_px)
-    highest = max(outline.station(x).top for _, x in main.aft_stations + main.fore_stations)
+    highest = max(outline.deck_edge(x)[1] for _, x in main.aft_stations + main.fore_stations)
     above, below = 0.055 * width_px, 0.105 * width_px
     height = round(above + highest / scale + below)
     return Sheet(width_px, height, 0.5 * (width_px - 1), above + highest / scale, scale)
 
 
-def _curves(outline: Outline, sheet: Sheet) -> list[tuple[str, Array]]:
-    """Return the curves in pixels, keel to deck; stations of one shape (a parallel body) give one curve, one label."""
-    curves: list[tuple[str, Array]] = []
+def _curves(outline: Moulded, sheet: Sheet) -> list[tuple[str, list[Array]]]:
+    """Return labels and curves in pixels, keel to deck; stations of one shape (a parallel body) are drawn once."""
+    curves: list[tuple[str, list[Array]]] = []
     for sign, stations in ((-1.0, outline.particulars.aft_stations), (1.0, outline.particulars.fore_stations)):
-        shapes: dict[tuple[float, ...], list[tuple[str, float]]] = {}
+        shapes: list[tuple[list[Array], list[str]]] = []
         for name, x in stations:
-            form = outline.station(x)
-            key = tuple(round(value, 6) for value in (form.half_breadth, form.top, form.depth, form.p, form.q))
-            shapes.setdefault(key, []).append((name, x))
-        for shared in shapes.values():
-            points = outline.section(shared[0][1], 900)
-            label = shared[0][0] if len(shared) == 1 else f"{shared[0][0]}-{shared[-1][0]}"
-            curves.append((label, np.column_stack([sheet.u(sign * points[:, 0]), sheet.v(points[:, 1])])))
+            section = outline.curves(x, 900)
+            twin = next((names for known, names in shapes if _same(known, section)), None)
+            if twin is None:
+                shapes.append((section, [name]))
+            else:
+                twin.append(name)
+        for section, names in shapes:
+            label = names[0] if len(names) == 1 else f"{names[0]}-{names[-1]}"
+            curves.append(
+                (label, [np.column_stack([sheet.u(sign * y), sheet.v(z)]) for y, z in (c.T for c in section)])
+            )
     return curves
 
 
-def _sheer_line(outline: Outline, sheet: Sheet) -> list[Array]:
+def _same(left: list[Array], right: list[Array]) -> bool:
+    return len(left) == len(right) and all(np.allclose(a, b, atol=1e-6) for a, b in zip(left, right, strict=True))
+
+
+def _sheer_line(outline: Moulded, sheet: Sheet) -> list[Array]:
     """Return the deck edge at side in both halves, from the ends to midships, in pixels."""
     main = outline.particulars
     midships = main.aft_perpendicular_m + 0.5 * main.length_between_perpendiculars_m
     lines = []
     for sign, end in ((-1.0, 0.0), (1.0, main.length_overall_m)):
-        stations = [outline.station(x) for x in end + (midships - end) * np.linspace(0.0, 1.0, 400) ** 2]
-        y = np.array([s.half_breadth for s in stations])
-        lines.append(np.column_stack([sheet.u(sign * y), sheet.v(np.array([s.top for s in stations]))]))
+        edge = np.array([outline.deck_edge(x) for x in end + (midships - end) * np.linspace(0.0, 1.0, 400) ** 2])
+        lines.append(np.column_stack([sheet.u(sign * edge[:, 0]), sheet.v(edge[:, 1])]))
     return lines
 
 
-def _margin(outline: Outline, sheet: Sheet) -> NDArray[np.bool_]:
+def _margin(outline: Moulded, sheet: Sheet) -> NDArray[np.bool_]:
     """Return the part of the sheet beside and below the box of B and D, where figures of the grid stand."""
     half, depth = 0.5 * outline.particulars.breadth_m, outline.particulars.depth_m
     left, right = int(sheet.u(-half)), int(sheet.u(half)) + 1
@@ -136,10 +146,10 @@ def _margin(outline: Outline, sheet: Sheet) -> NDArray[np.bool_]:
     return margin
 
 
-def _draw_grid(axes: Axes, outline: Outline, sheet: Sheet, grid_px: float) -> None:
+def _draw_grid(axes: Axes, outline: Moulded, sheet: Sheet, grid_px: float) -> None:
     main = outline.particulars
     half, step = 0.5 * main.breadth_m, main.line_spacing_m
-    highest = max(outline.station(x).top for _, x in main.aft_stations + main.fore_stations)
+    highest = max(outline.deck_edge(x)[1] for _, x in main.aft_stations + main.fore_stations)
     reach = half + 0.012 * main.breadth_m
     size = 0.0075 * sheet.width
 
@@ -167,8 +177,9 @@ def _draw_grid(axes: Axes, outline: Outline, sheet: Sheet, grid_px: float) -> No
         crowded = abs(z - main.draught_m) / sheet.metres_per_px < 1.3 * size
         horizontal(float(z), "" if crowded else f"{z:g}", GRID, grid_px)
     for y in np.arange(step, half - 0.3 * step, step):
+        crowded = (half - y) / sheet.metres_per_px < 4.0 * size
         for side in (-1.0, 1.0):
-            vertical(float(side * y), f"{y:g}", GRID, grid_px)
+            vertical(float(side * y), "" if crowded else f"{y:g}", GRID, grid_px)
     horizontal(main.draught_m, f"DWL {main.draught_m:g}", FRAME, 1.5 * grid_px)
     if main.depth_m > main.draught_m:
         horizontal(main.depth_m, f"D {main.depth_m:g}", FRAME, 1.2 * grid_px)
@@ -178,7 +189,7 @@ def _draw_grid(axes: Axes, outline: Outline, sheet: Sheet, grid_px: float) -> No
         vertical(side * half, f"B/2 {half:g}", FRAME, 1.2 * grid_px)
 
 
-def _draw_sheer(axes: Axes, outline: Outline, sheet: Sheet, grid_px: float) -> None:
+def _draw_sheer(axes: Axes, outline: Moulded, sheet: Sheet, grid_px: float) -> None:
     for line in _sheer_line(outline, sheet):
         axes.plot(*line.T, color=FRAME, lw=grid_px, zorder=4, snap=False)
 
@@ -190,7 +201,7 @@ def _draw_label(axes: Axes, label: Label, size: float, curve_px: float) -> None:
         axes.plot(*label.leader.T, color=FRAME, lw=0.4 * curve_px, zorder=3, snap=False)
 
 
-def _draw_title(axes: Axes, outline: Outline, sheet: Sheet) -> None:
+def _draw_title(axes: Axes, outline: Moulded, sheet: Sheet) -> None:
     main = outline.particulars
     w = sheet.width
     middle = sheet.baseline + 0.062 * w

@@ -5,7 +5,7 @@ The script shares no geometry code with the package: it interpolates 1/p and 1/q
 
 import numpy as np
 import pytest
-from drawing.outline import outline
+from drawing.ships import outline
 
 from hullform.body_plan import BodyPlan, Station, TracedCurve
 from hullform.hull import Hull

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from drawing import tables
-from drawing.outline import outline
+from drawing.ships import outline
 
 from hullform.hull import Hull
 from hullform.loading.structure import structure_of
