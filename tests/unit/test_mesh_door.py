@@ -213,6 +213,24 @@ def test_tanks_within_the_hull_are_refused_or_left_out(
         assert any("1 sections have a part clear of the centre plane, which was left out" in d for d in doubts)
 
 
+def test_a_deckhouse_is_cut_off_at_a_height(tmp_path: Path, hull: Hull, mesh: trimesh.Trimesh) -> None:
+    house = trimesh.creation.box([20, 24, 12], trimesh.transformations.translation_matrix([30, 0, 23.0]))
+    keys = "up_to_m = 16.9\nstations_m = [10.0, 30.0, 95.0, 180.0]"
+    body_plan = read(tmp_path, trimesh.util.concatenate([mesh, house]), keys)
+    assert body_plan.doubts == ()
+    for station in body_plan.stations:
+        assert station.curves[0].height_m.max() == pytest.approx(16.9)
+        own = float(hull.sectional_areas(16.9, station.x_m))
+        assert station.area_below(np.inf) == pytest.approx(own, rel=3e-3)
+
+
+def test_a_mesh_of_topsides_alone_is_read_and_doubted(tmp_path: Path, mesh: trimesh.Trimesh) -> None:
+    # all of it above the design draught: there is nothing to measure by below it
+    raised = trimesh.Trimesh(mesh.vertices * [1, 1, 0.1] + [0, 0, 2.4], mesh.faces, process=False)
+    doubts = read(tmp_path, raised, ship=SHIP.replace("draught_m = 11.0", "draught_m = 2.0")).doubts
+    assert doubts == ()
+
+
 def test_two_sides_that_differ_are_doubted(tmp_path: Path, mesh: trimesh.Trimesh) -> None:
     vertices = mesh.vertices * np.where(mesh.vertices[:, 1:2] < 0, [1, 0.98, 1], 1.0)
     doubts = read(tmp_path, trimesh.Trimesh(vertices, mesh.faces, process=False)).doubts

@@ -89,8 +89,8 @@ def area_curve(
         raise BodyPlanError(
             f"no sectional-area curve of ours has a prismatic coefficient of {prismatic:.3f} with a parallel body of "
             f"{1 - entrance - run:.2f} LPP: entrance and run would have {fullness:.2f} of their box, within "
-            f"{_LEAST_FULLNESS:g} to {_GREATEST_FULLNESS:g}; correct ship.block_coefficient or displacement_t, or give "
-            "body_plan.midship_coefficient and parallel_body_share"
+            f"{_LEAST_FULLNESS:g} to {_GREATEST_FULLNESS:g}; correct ship.block_coefficient or displacement_t, or "
+            "give body_plan.midship_coefficient and parallel_body_share"
         )
     level = AreaCurve(entrance, run, fullness / (1 - fullness), 0.0)
     u = _cosine_spaced(_SAMPLES)

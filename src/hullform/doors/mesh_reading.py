@@ -133,11 +133,12 @@ def _cut_where_it_changes(
     x = np.unique(np.round(np.append(ends[0] + station_places(ends[1] - ends[0], CUTS), rows), _DECIMALS))
     halves = [at(place) for place in x.tolist()]
     areas = np.array([_areas(section, draught_m) for section in halves])
+    areas = areas[:, areas.max(axis=0) > 0]
     limit = np.clip(_OFF_THE_AREA * areas, *(share * areas.max(axis=0) for share in (_LEAST_OFF, _OFF_THE_CURVE)))
     kept = np.zeros(len(x), dtype=bool)
     kept[np.linspace(0, len(x) - 1, FEWEST).round().astype(int)] = True
     while True:
-        over = (np.abs(areas - PchipInterpolator(x[kept], areas[kept])(x)) / limit).max(axis=1)
+        over = (np.abs(areas - PchipInterpolator(x[kept], areas[kept])(x)) / limit).max(axis=1, initial=0.0)
         part = np.cumsum(kept)
         # of every part between two stations that has one, the cut that is the furthest off
         worst = [int(np.argmax(np.where(part == number, over, 0.0))) for number in np.unique(part[over > 1])]
@@ -172,24 +173,20 @@ def _require_whole(source: MeshSource, found: dict[float, list[HalfSection]], si
             if section.open_at_m is not None:
                 raise BodyPlanError(
                     f"{source.file}: the section at x = {x:.4g} m ends in the air at z = {section.open_at_m:.3g} m, "
-                    "at a hole "
-                    f"wider than {sizes.bridge:.3g} m or at an inner deck or bulkhead; close the hole, or export the "
-                    "outer "
-                    "shell alone"
+                    f"at a hole wider than {sizes.bridge:.3g} m or at an inner deck or bulkhead; close the hole, or "
+                    "export the outer shell alone"
                 )
             curves = section.curves
             if len(curves) == 2 and curves[0][-1, 1] > curves[1][0, 1]:
                 raise BodyPlanError(
                     f"{source.file}: the section at x = {x:.4g} m has one contour within another, from z = "
                     f"{curves[1][0, 1]:.3g} to {curves[1][-1, 1]:.3g} m; export the outer shell alone, without decks "
-                    "and "
-                    "tanks"
+                    "and tanks"
                 )
             if len(curves) > 2:
                 raise BodyPlanError(
-                    f"{source.file}: the section at x = {x:.4g} m has {len(curves)} contours one above the "
-                    "other, "
-                    "and a hull has one, or two at a bulb; export the outer shell alone, without decks and tanks"
+                    f"{source.file}: the section at x = {x:.4g} m has {len(curves)} contours one above the other, and "
+                    "a hull has one, or two at a bulb; export the outer shell alone, without decks and tanks"
                 )
 
 
@@ -230,9 +227,9 @@ def _doubts_of_sections(
     if apart:
         area, x = max(apart)
         doubts.append(
-            f"{source.file.name}: {len(apart)} sections have a part clear of the centre plane, which was left out: "
-            "up to "
-            f"{100 * area / largest:.1f} % of the largest section, at x = {x:.4g} m; export the hull without appendages"
+            f"{source.file.name}: {len(apart)} sections have a part clear of the centre plane, which was left out: up "
+            f"to {100 * area / largest:.1f} % of the largest section, at x = {x:.4g} m; export the hull without "
+            "appendages"
         )
     both = [(x, *(_areas([half], np.inf)[0] for half in halves)) for x, halves in found.items() if len(halves) == 2]
     unlike = [(abs(one - other), x) for x, one, other in both if abs(one - other) > _UNLIKE * largest / 2]
@@ -240,7 +237,6 @@ def _doubts_of_sections(
         difference, x = max(unlike)
         doubts.append(
             f"{source.file.name}: the two sides differ in {len(unlike)} sections, by up to "
-            f"{200 * difference / largest:.1f} % "
-            f"of the largest, at x = {x:.4g} m; the port side was taken for both"
+            f"{200 * difference / largest:.1f} % of the largest, at x = {x:.4g} m; the port side was taken for both"
         )
     return doubts

@@ -40,21 +40,21 @@ def require_in_place(surface: Surface, source: MeshSource, main: Particulars) ->
     if abs((x1 - x0) / length - 1) > _OTHER_LENGTH or not _near(y1 - y0, breadth):
         raise BodyPlanError(
             f"{source.file}: as [body_plan] has it the mesh is {x1 - x0:.4g} m long, {y1 - y0:.4g} m broad and "
-            f"{z1 - z0:.4g} m high, the ship {length:g} by {breadth:g} by {depth:g} m; {_remedy(surface, source, main)}"
+            f"{z1 - z0:.4g} m high, the ship {length:g} by {breadth:g} by {depth:g} m; "
+            f"{_remedy(surface, source, main)}"
         )
     if x0 < -_BEYOND * length or x1 > (1 + _BEYOND) * length:
         raise BodyPlanError(
             f"{source.file}: the mesh lies from x = {x0:.4g} to {x1:.4g} m, the ship from 0 to {length:g} m; x runs "
-            "from "
-            "the aft end of the length overall: write the place of the mesh's origin there, "
-            f"origin_x_m = {source.origin_x_m - x0:.4g} for a mesh that begins at the aft end"
+            "from the aft end of the length overall: write the place of the mesh's origin there, origin_x_m = "
+            f"{source.origin_x_m - x0:.4g} for a mesh that begins at the aft end"
         )
     if abs(whole - breadth) > _OTHER_BREADTH * breadth or (
         y0 < -_OFF_CENTRE * breadth and y1 > _OFF_CENTRE * breadth and abs(y0 + y1) > 2 * _OFF_CENTRE * breadth
     ):
         raise BodyPlanError(
-            f"{source.file}: the mesh lies from y = {y0:.4g} to {y1:.4g} m, the ship {breadth / 2:g} m to either side; "
-            f"write origin_y_m = {source.origin_y_m - (y0 + y1) / 2:.4g} for a mesh of both sides"
+            f"{source.file}: the mesh lies from y = {y0:.4g} to {y1:.4g} m, the ship {breadth / 2:g} m to either "
+            f"side; write origin_y_m = {source.origin_y_m - (y0 + y1) / 2:.4g} for a mesh of both sides"
         )
     if not -_BELOW_BASE * depth <= z0 <= _ABOVE_BASE * depth:
         raise BodyPlanError(
@@ -103,19 +103,16 @@ def _doubts(
     if ends_m[0] > _WORTH_A_WORD * length or ends_m[1] < (1 - _WORTH_A_WORD) * length:
         found.append(
             f"{name}: the mesh lies from x = {ends_m[0]:.4g} to {ends_m[1]:.4g} m, short of the ship's 0 to "
-            f"{length:g} m "
-            f"by more than {100 * _WORTH_A_WORD:g} %; check origin_x_m and length_overall_m"
+            f"{length:g} m by more than {100 * _WORTH_A_WORD:g} %; check origin_x_m and length_overall_m"
         )
     if abs(breadth_m / main.breadth_m - 1) > _WORTH_A_WORD:
         found.append(
             f"{name}: the mesh is {breadth_m:.4g} m broad, {100 * (breadth_m / main.breadth_m - 1):+.1f} % off "
-            "breadth_m, "
-            f"limit {100 * _WORTH_A_WORD:g} %; check unit and breadth_m"
+            f"breadth_m, limit {100 * _WORTH_A_WORD:g} %; check unit and breadth_m"
         )
     if top_m < main.draught_m * (1 - _WORTH_A_WORD):
         found.append(
             f"{name}: the mesh ends at z = {top_m:.4g} m, below the design draught of {main.draught_m:g} m; export "
-            "the hull "
-            "up to her deck, or check origin_z_m"
+            "the hull up to her deck, or check origin_z_m"
         )
     return tuple(found)

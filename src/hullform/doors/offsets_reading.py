@@ -81,8 +81,8 @@ def _curves_of_points(
     missing = [name for name in REQUIRED if name not in header]
     if missing:
         raise BodyPlanError(
-            f"{table.path}, line {table.rows[0][0]}: has no column {', '.join(missing)}; it has "
-            f"{', '.join(header)}. {FORMS}"
+            f"{table.path}, line {table.rows[0][0]}: has no column {', '.join(missing)}; it has {', '.join(header)}. "
+            f"{FORMS}"
         )
     points: dict[tuple[float, Half], dict[int, list[_Point]]] = {}
     for order, (line, cells) in enumerate(table.rows[1:]):
@@ -159,6 +159,6 @@ def _doubts_of_size(path: Path, stations: Sequence[Station], main: Particulars) 
     if abs(broadest / half - 1) <= _BROADER:
         return ()
     return (
-        f"{path.name}: its greatest half-breadth is {broadest:.4g} m, {100 * (broadest / half - 1):+.1f} % off half of "
-        f"breadth_m, limit {100 * _BROADER:g} %; check both",
+        f"{path.name}: its greatest half-breadth is {broadest:.4g} m, {100 * (broadest / half - 1):+.1f} % off half "
+        f"of breadth_m, limit {100 * _BROADER:g} %; check both",
     )

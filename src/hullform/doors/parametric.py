@@ -77,14 +77,13 @@ def form_of(ship: Ship, source: ParticularsSource) -> Form:
         if main.displacement_t is None:
             raise BodyPlanError(
                 f"{ship.path}: [body_plan] gives neither picture (image), table (offsets) nor mesh; for a form made "
-                "of the "
-                "main particulars give block_coefficient or displacement_t in [ship]"
+                "of the main particulars give block_coefficient or displacement_t in [ship]"
             )
         block = 1e3 * main.displacement_t / (ship.water.density_kg_m3 * box)
         if not block < 1:
             raise BodyPlanError(
-                f"{ship.path}: displacement_t = {main.displacement_t:g} is {block:.3g} times the box of length between "
-                "perpendiculars, breadth and draught; correct one of the four"
+                f"{ship.path}: displacement_t = {main.displacement_t:g} is {block:.3g} times the box of length "
+                "between perpendiculars, breadth and draught; correct one of the four"
             )
     midship = source.midship_coefficient
     if midship is None:

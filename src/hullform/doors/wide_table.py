@@ -112,8 +112,8 @@ def _named(table: CsvTable, lines: list[int], name: str, index: int, along_rows:
         raise BodyPlanError(f"{table.path}, line {where}: a row or column has no height or station; name it")
     if not _is_number(table, name):
         raise BodyPlanError(
-            f"{table.path}, line {where}: '{name}' is no number, nor one of {', '.join(_EXTRAS)}; heights and stations "
-            "are lengths, not names"
+            f"{table.path}, line {where}: '{name}' is no number, nor one of {', '.join(_EXTRAS)}; heights and "
+            "stations are lengths, not names"
         )
     return table.number(where, "1", name)
 
