@@ -24,6 +24,6 @@ if __name__ == "__main__":
     left.set_axis_off()
     left.set_title("read from the picture")
     plot_modes(run.conditions["loaded"].modes, axes=right)
-    right.set_title("loaded: first three modes, dry, with shear deflection")
+    right.set_title("loaded: first three modes, in water, with shear deflection")
     PATH.parent.mkdir(parents=True, exist_ok=True)
     FigureCanvasAgg(figure).print_png(PATH)

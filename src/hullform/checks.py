@@ -14,6 +14,7 @@ from hullform.rounding import short, significant
 from hullform.ship import Particulars
 from hullform.ship_structure import StructureInput, Superstructure
 from hullvib.plausibility import frequency_limits_hz
+from hullvib.real_ships import RATIO_LIMITS
 
 # Reading, fitting and lofting together are good to some tenths of a per cent; ten times that is a fault somewhere.
 DISPLACEMENT_LIMIT_PERCENT = 1.0
@@ -266,4 +267,39 @@ def check_frequency(first_hz: float, length_m: float) -> Check:
         "Hz",
         "check the units of youngs_modulus_pa, midship_second_moment_m4 and the weights",
         usual=sum(frequency_limits_hz(length_m)) / 20,
+    )
+
+
+def checks_of_ratios(ratios: tuple[float, float], medium: str) -> tuple[Check, ...]:
+    """The 3-node and the 4-node frequency over the 2-node one against ships as they are.
+
+    None of a dry girder: the water lies amidships more than at the ends, and of a light ship it outweighs her, so that
+    dry ratios are others.
+    """
+    if medium == "dry":
+        return ()
+    three_node, four_node = RATIO_LIMITS
+    remedy = (
+        "usual causes: the shear area (midship_shear_area_m2, or the members behind it), I(x) towards the ends, the "
+        "mass at the ends"
+    )
+    return (
+        within(
+            "three-node-ratio",
+            "3-node over 2-node frequency against ships as they are",
+            ratios[0],
+            three_node,
+            "",
+            remedy,
+            usual=sum(three_node) / 2,
+        ),
+        within(
+            "four-node-ratio",
+            "4-node over 2-node frequency against ships as they are",
+            ratios[1],
+            four_node,
+            "",
+            remedy,
+            usual=sum(four_node) / 2,
+        ),
     )

@@ -84,5 +84,7 @@ def in_water_figures(ship: Ship, structure: Structure, displacement_t: float, dr
         "midship_second_moment_m4": midship,
         "hollow_box_second_moment_m4": box,
         "kumai_exponent": exponent,
+        "todd_virtual_mass_factor": empirical.todd_virtual_mass_factor(breadth=breadth, draught=draught_m),
+        "burrill_virtual_mass_factor": empirical.burrill_virtual_mass_factor(breadth=breadth, draught=draught_m),
     }
     return EmpiricalFigures(figures, inputs)

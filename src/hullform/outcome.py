@@ -15,6 +15,8 @@ from hullform.checks import Check
 from hullform.empirical_figures import EmpiricalFigures
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.hull.loft import Hull
+from hullform.in_service import InService
+from hullform.in_water import InWater
 from hullform.loading.distributions import Distribution
 from hullform.loading.structure import Structure
 from hullform.loading.weights import LightShip
@@ -67,6 +69,7 @@ class ConditionRun:
         checks: what holds and what does not.
         solutions: dry modes, by name: of the Euler-Bernoulli girder 'stodola_ritz', 'ritz', 'ritz_elastic_only' (the
             paper's basis) and 'finite_element'; with shear deflection 'shear'; with rotary inertia too 'timoshenko'.
+        in_water: wet modes, at her own draughts.
         bracket: proven bounds of the Euler-Bernoulli frequencies, or in words why there are none.
         convergence_rad_s: number of Ritz functions to the first frequencies, with the rigid-body functions.
         elastic_only_convergence_rad_s: the same in the paper's basis.
@@ -81,6 +84,7 @@ class ConditionRun:
     at_rest: AtRest
     checks: tuple[Check, ...]
     solutions: Mapping[str, Modes]
+    in_water: InWater
     bracket: Bracket | str
     convergence_rad_s: Mapping[int, Array]
     elastic_only_convergence_rad_s: Mapping[int, Array]
@@ -94,7 +98,12 @@ class ConditionRun:
 
     @property
     def modes(self) -> Modes:
-        """The headline: with shear deflection."""
+        """The headline: in water, with shear deflection."""
+        return self.in_water.shear.modes
+
+    @property
+    def dry_modes(self) -> Modes:
+        """The same girder dry, with shear deflection."""
         return self.solutions["shear"]
 
     @property
@@ -117,6 +126,7 @@ class Run:
         light: steel, machinery and their estimates.
         checks: of the hull and the light ship; those of the conditions are theirs.
         conditions: by name, in the order of ship.toml.
+        in_service: the same, held against propeller, engine and waves.
         seconds: by stage, for provenance alone.
     """
 
@@ -129,6 +139,7 @@ class Run:
     light: LightShip
     checks: tuple[Check, ...]
     conditions: Mapping[str, ConditionRun]
+    in_service: Mapping[str, InService]
     seconds: Mapping[str, float]
 
     @property

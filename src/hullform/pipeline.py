@@ -14,6 +14,8 @@ from hullform.afloat import ConditionAfloat, ShipAfloat, load_ship
 from hullform.body_plan import BodyPlan
 from hullform.empirical_figures import in_water_figures
 from hullform.hull.loft import Hull
+from hullform.in_service import in_service
+from hullform.in_water import InWater, put_in_water
 from hullform.loading.items import KG_PER_T
 from hullform.outcome import ConditionRun, Distortion, Run
 from hullform.ship import Ship
@@ -24,6 +26,7 @@ from hullvib.errors import NotProven
 from hullvib.finite_elements import FiniteElements
 from hullvib.girder import Girder
 from hullvib.modes import Modes
+from hullvib.real_ships import ratios
 from hullvib.ritz import Ritz
 from hullvib.solving import solve
 from hullvib.stodola import StodolaRitz
@@ -131,11 +134,20 @@ def run_ship(ship: Ship, progress: Progress = lambda step: None) -> Run:
     progress("structure and weights")
     afloat = load_ship(ship, hull)
     finished("loading")
+    water = {}
+    for condition in afloat.conditions:
+        progress(f"the water: {condition.condition.title}")
+        water[condition.condition.name] = _in_water(ship, afloat, condition)
+    finished("water")
     runs = {}
     for condition in afloat.conditions:
+        name = condition.condition.name
         progress(f"frequencies: {condition.condition.title}")
-        runs[condition.condition.name] = _vibrate(ship, afloat, condition)
+        runs[name] = _vibrate(ship, afloat, condition, water[name])
     finished("frequencies")
+    progress("propeller, engine and waves")
+    service = {name: in_service(ship, condition.modes) for name, condition in runs.items()}
+    finished("service")
     return Run(
         ship=ship,
         body_plan=body_plan,
@@ -146,11 +158,24 @@ def run_ship(ship: Ship, progress: Progress = lambda step: None) -> Run:
         light=afloat.light,
         checks=(*afloat.checks, mesh),
         conditions=runs,
+        in_service=service,
         seconds=seconds,
     )
 
 
-def _vibrate(ship: Ship, afloat: ShipAfloat, condition: ConditionAfloat) -> ConditionRun:
+def _in_water(ship: Ship, afloat: ShipAfloat, condition: ConditionAfloat) -> InWater:
+    return put_in_water(
+        afloat.hull,
+        afloat.structure,
+        condition.girder,
+        condition.at_rest.position,
+        ship.water.density_kg_m3,
+        modes=MODES,
+        functions=FUNCTIONS,
+    )
+
+
+def _vibrate(ship: Ship, afloat: ShipAfloat, condition: ConditionAfloat, in_water: InWater) -> ConditionRun:
     girder, floating = condition.girder, condition.floating
     solutions = {
         "stodola_ritz": solve(girder, StodolaRitz(functions=FUNCTIONS), modes=MODES),
@@ -160,15 +185,18 @@ def _vibrate(ship: Ship, afloat: ShipAfloat, condition: ConditionAfloat) -> Cond
         "shear": solve(girder, StodolaRitz(functions=FUNCTIONS, shear=True), modes=MODES),
         "timoshenko": solve(girder, TimoshenkoElements(elements=ELEMENTS), modes=MODES),
     }
-    frequency = checks.check_frequency(float(solutions["shear"].frequencies_hz[0]), girder.length)
+    quoted = in_water.shear.modes
+    frequency = checks.check_frequency(float(quoted.frequencies_hz[0]), girder.length)
+    of_ships = checks.checks_of_ratios(ratios(quoted.angular_frequencies), quoted.medium)
     return ConditionRun(
         condition=condition.condition,
         items=condition.items,
         girder=girder,
         floating=floating,
         at_rest=condition.at_rest,
-        checks=(*condition.checks, frequency),
+        checks=(*condition.checks, *in_water.checks, frequency, *of_ships),
         solutions=solutions,
+        in_water=in_water,
         bracket=_bracket(solutions["stodola_ritz"]),
         convergence_rad_s=_convergence(girder, rigid_body=True),
         elastic_only_convergence_rad_s=_convergence(girder, rigid_body=False),

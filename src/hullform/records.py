@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import ConfigDict, Field
 
-Finite = Annotated[float, Field(allow_inf_nan=False)]
-Frequencies = list[Finite]
-
-
-class _Table(BaseModel):
-    model_config = ConfigDict(extra="forbid")
+from hullform.record_table import Finite, Frequencies
+from hullform.record_table import RecordTable as _Table
+from hullform.service_records import RatiosRecord, ResonanceRecord, SpringingRecord
 
 
 class Provenance(_Table):
@@ -132,6 +129,14 @@ class Solution(_Table):
     elements: int | None = None
     solver: str | None = None
     rotary_inertia: bool | str | None = None
+    dry_method: str | None = None
+    hydrostatics: bool | None = None
+    frequency_tail: bool | None = None
+    flow: str | None = None
+    panels: int | None = None
+    sections: int | None = None
+    lengthwise: str | None = None
+    asymmetry: Finite | None = None
     frequencies_rad_s: Frequencies
     frequencies_hz: Frequencies
     node_counts: list[int]
@@ -155,6 +160,39 @@ class Headline(_Table):
     theory: str
     frequencies_hz: Frequencies
     band: None = None
+
+
+class RigidMotionRecord(_Table):
+    """Heave or pitch in the limit of high frequency, which is not theirs: told apart by shape, and no figure to quote.
+
+    `rigid_share` is the share of rigid-body motion in the kinetic energy, water included.
+    """
+
+    angular_frequency_rad_s: Finite
+    rigid_share: Finite
+
+
+class InWaterRecord(_Table):
+    """The water about a condition. But for `strips_rad_s` and `frequency_ratios` all is of the girder with shear and
+    of the panels; masses are for a largest amplitude of 1 m, forces per length and unit acceleration of the mode."""
+
+    density_kg_m3: Finite
+    panels: int
+    panel_volume_m3: Finite
+    wet_from_m: Finite
+    wet_to_m: Finite
+    asymmetry: Finite
+    strips_rad_s: dict[str, Frequencies]
+    frequency_ratios: dict[str, list[Finite]]
+    heave: RigidMotionRecord
+    pitch: RigidMotionRecord
+    generalised_mass_kg: list[Finite]
+    generalised_added_mass_kg: list[Finite]
+    hydrostatic_stiffness_shares: list[Finite]
+    effective_factors: list[Finite]
+    mac_dry: list[list[Finite]]
+    edges_m: list[Finite]
+    force_kg_per_m: list[list[Finite]]
 
 
 class DistortionRecord(_Table):
@@ -242,6 +280,8 @@ class ConditionRecord(_Table):
     checks: list[CheckRecord]
     doubts: list[str]
     dry_rad_s: dict[str, Frequencies]
+    wet_rad_s: dict[str, Frequencies]
+    in_water: InWaterRecord
     bracket_rad_s: BracketRecord
     empirical_rad_s: dict[str, Frequencies]
     empirical_inputs: dict[str, Finite]
@@ -249,6 +289,9 @@ class ConditionRecord(_Table):
     solutions: list[Solution]
     convergence: dict[str, dict[str, Frequencies]]
     distortion: DistortionRecord
+    ships_as_they_are: RatiosRecord
+    resonance: ResonanceRecord | None
+    springing: SpringingRecord | None
 
 
 class Results(_Table):

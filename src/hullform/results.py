@@ -17,8 +17,10 @@ from pathlib import Path
 from hullform.checks import Check
 from hullform.files import PROGRAM
 from hullform.hull.equilibrium import FloatingPosition
+from hullform.in_water import InWater
 from hullform.loading.still_water import Extremes, sampled
 from hullform.outcome import Array, ConditionRun, Run
+from hullform.record_table import Frequencies
 from hullform.records import (
     BracketRecord,
     CheckRecord,
@@ -26,21 +28,25 @@ from hullform.records import (
     DistortionRecord,
     ExtremesRecord,
     FloatingRecord,
-    Frequencies,
     Headline,
     HullRecord,
+    InWaterRecord,
     LightShipRecord,
     PlatesRecord,
     Provenance,
     Results,
+    RigidMotionRecord,
     Solution,
     StationRecord,
     StillWaterRecord,
     StructureRecord,
     WeightRecord,
 )
+from hullform.service_results import ratios_record, resonance_record, springing_record
 from hullvib.bounds import Bracket
 from hullvib.mode_files import solution_record
+from hullvib.modes import Modes
+from hullvib.wet import RigidMotion
 
 
 def results_of(run: Run) -> Results:
@@ -54,7 +60,7 @@ def results_of(run: Run) -> Results:
         light_ship=_light_ship(run),
         checks=_checks(run.checks),
         doubts=list(run.doubts),
-        conditions={name: _condition(condition) for name, condition in run.conditions.items()},
+        conditions={name: _condition(run, name) for name in run.conditions},
     )
 
 
@@ -177,7 +183,8 @@ def _bracket(bracket: Bracket | str) -> BracketRecord:
     return BracketRecord(lower=bracket.lower.tolist(), upper=bracket.upper.tolist(), proof=bracket.proof)
 
 
-def _condition(run: ConditionRun) -> ConditionRecord:
+def _condition(whole: Run, name: str) -> ConditionRecord:
+    run, service = whole.conditions[name], whole.in_service[name]
     floating, modes = run.floating, run.modes
     waterline, equilibrium = run.at_rest.position.waterline, run.at_rest.equilibrium
     return ConditionRecord(
@@ -198,17 +205,61 @@ def _condition(run: ConditionRun) -> ConditionRecord:
         checks=_checks(run.checks),
         doubts=[check.doubt for check in run.checks if not check.ok],
         dry_rad_s={name: found.angular_frequencies.tolist() for name, found in run.solutions.items()},
+        wet_rad_s={
+            name: found.modes.angular_frequencies.tolist()
+            for name, found in (("euler", run.in_water.euler), ("shear", run.in_water.shear))
+        },
+        in_water=_in_water(run.in_water),
         bracket_rad_s=_bracket(run.bracket),
         empirical_rad_s={name: found.tolist() for name, found in run.empirical.figures_rad_s.items()},
         empirical_inputs=dict(run.empirical.inputs),
         headline=Headline(medium=modes.medium, theory=modes.theory, frequencies_hz=modes.frequencies_hz.tolist()),
-        solutions=[Solution.model_validate(solution_record(found)) for found in run.solutions.values()],
+        solutions=[Solution.model_validate(solution_record(found)) for found in (*run.solutions.values(), *_wet(run))],
         convergence={
             "ritz": _by_functions(run.convergence_rad_s),
             "ritz_elastic_only": _by_functions(run.elastic_only_convergence_rad_s),
         },
         distortion=_distortion(run),
+        ships_as_they_are=ratios_record(modes, whole.ship.particulars),
+        resonance=resonance_record(service),
+        springing=springing_record(service),
     )
+
+
+def _wet(run: ConditionRun) -> tuple[Modes, ...]:
+    water = run.in_water
+    return tuple(found.modes for found in (water.euler, water.shear, water.strips_euler, water.strips_shear))
+
+
+def _in_water(water: InWater) -> InWaterRecord:
+    shear = water.shear
+    wet_from, wet_to = water.panels.extent_m
+    return InWaterRecord(
+        density_kg_m3=water.flow.density_kg_m3,
+        panels=2 * len(water.panels),
+        panel_volume_m3=water.panels.volume_m3,
+        wet_from_m=wet_from,
+        wet_to_m=wet_to,
+        asymmetry=shear.added_mass.asymmetry,
+        strips_rad_s={
+            "euler": water.strips_euler.modes.angular_frequencies.tolist(),
+            "shear": water.strips_shear.modes.angular_frequencies.tolist(),
+        },
+        frequency_ratios={"euler": water.euler.frequency_ratios.tolist(), "shear": shear.frequency_ratios.tolist()},
+        heave=_rigid_motion(shear.heave),
+        pitch=_rigid_motion(shear.pitch),
+        generalised_mass_kg=shear.generalised_mass.tolist(),
+        generalised_added_mass_kg=shear.generalised_added_mass.tolist(),
+        hydrostatic_stiffness_shares=shear.hydrostatic_stiffness_share.tolist(),
+        effective_factors=water.effective_factors.tolist(),
+        mac_dry=shear.mac_dry.tolist(),
+        edges_m=shear.added_mass.edges_m.tolist(),
+        force_kg_per_m=shear.force_kg_per_m.tolist(),
+    )
+
+
+def _rigid_motion(found: RigidMotion) -> RigidMotionRecord:
+    return RigidMotionRecord(angular_frequency_rad_s=found.angular_frequency, rigid_share=found.share)
 
 
 def _floating(position: FloatingPosition, density_kg_m3: float) -> FloatingRecord:

@@ -20,6 +20,7 @@ from hullform.ship import Ship
 from hullform.ship_body_plan import SAME_STATION_M, CalibrationGiven, Half, PictureSource, Side, StationName
 
 BLOCK_BYTES = 1 << 20
+NEVER_SAVED = "none"
 HALVES: tuple[Half, Half] = ("aft", "fore")
 
 
@@ -168,6 +169,23 @@ def write_review(review: Review, ship: Ship) -> Path:
     with whole_file(path) as aside:
         aside.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
     return path
+
+
+def revision_of(ship: Ship) -> str:
+    """What the review file beside a ship.toml is called as it lies there now: another name after every change.
+
+    It is a hash of what the file holds, so that another page, another run and an editor are told alike.
+
+    Raises:
+        ReviewError: it cannot be read.
+    """
+    path = ship.review_path
+    try:
+        return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+    except FileNotFoundError:
+        return NEVER_SAVED
+    except OSError as error:
+        raise ReviewError(f"{path}: cannot be read ({error.strerror}); check it, or move it away") from None
 
 
 def _hash_of(path: Path) -> str:

@@ -21,7 +21,9 @@ from hullform.ship_body_plan import (
     ParticularsSource,
     PictureSource,
 )
+from hullform.ship_excitation import ExcitationInput
 from hullform.ship_faults import fault_line
+from hullform.ship_operation import OperationInput
 from hullform.ship_structure import StructureInput
 from hullform.ship_weights import ConditionInput, WeightsInput
 
@@ -116,6 +118,8 @@ class Ship(Table):
     conditions: tuple[ConditionInput, ...] = ()
     water: Water = Water()
     empirical: EmpiricalInput = EmpiricalInput()
+    excitation: ExcitationInput | None = None
+    operation: OperationInput | None = None
     _path: Path = PrivateAttr(default=Path())
 
     @field_validator("body_plan", mode="before")
@@ -155,6 +159,12 @@ class Ship(Table):
         light = () if self.weights is None else self.weights.items
         for item in itertools.chain(light, *(condition.items for condition in self.conditions)):
             item.require_within(self.particulars.length_overall_m)
+        return self
+
+    @model_validator(mode="after")
+    def _propeller_and_engine_lie_in_the_ship(self) -> Self:
+        if self.excitation is not None:
+            self.excitation.require_within(self.particulars.length_overall_m)
         return self
 
     @property

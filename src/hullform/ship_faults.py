@@ -13,7 +13,6 @@ from pydantic import BaseModel, Tag
 RESERVED = {
     "hull": {"sections"},
     "water": {"depth_m"},
-    "": {"excitation", "operation"},
 }
 
 # Keys that somebody may well try: what to write in their place.

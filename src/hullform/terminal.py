@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from hullform.in_service import Resonances
 from hullform.outcome import Run
-from hullform.rounding import significant
+from hullform.rounding import short, significant
+from hullvib.real_ships import RATIO_LIMITS, ratios
+from hullvib.resonance import SURE_MODES
 
 SHOWN = 3
 NOT_DRAWN = ("No drawing: her hull is a form made of these main particulars.",)
@@ -12,20 +15,20 @@ NOT_DRAWN = ("No drawing: her hull is a form made of these main particulars.",)
 def summary(run: Run) -> str:
     """A table of conditions with mass, even-keel draught and the first modes; a star marks those in doubt.
 
-    Frequencies are the headline, with shear deflection; the last column is the Euler-Bernoulli girder's.
+    Frequencies are the headline, in water and with shear deflection; the last column is the same girder's, dry.
     """
     of_ship = run.ship.particulars
     lines = [
         f"{of_ship.name}: LOA {of_ship.length_overall_m:g} m, LPP {of_ship.length_between_perpendiculars_m:g} m, "
         f"B {of_ship.breadth_m:g} m, D {of_ship.depth_m:g} m, T {of_ship.draught_m:g} m",
         *NOT_DRAWN * (run.body_plan.source == "particulars"),
-        "Vertical bending, dry girder with shear deflection; the water is not in these figures.",
+        "Vertical bending in deep water at rest, girder with shear deflection; the last column is dry.",
         "",
         f"{'condition':<14}{'mass, t':>9}{'draught, m':>12}{'mode':>6}{'nodes':>7}"
-        f"{'Hz':>10}{'cycles/min':>12}{'rad/s':>10}{'Euler, Hz':>11}",
+        f"{'Hz':>10}{'cycles/min':>12}{'rad/s':>10}{'dry, Hz':>11}",
     ]
     for name, condition in run.conditions.items():
-        modes, euler = condition.modes, condition.solutions["stodola_ritz"]
+        modes, dry = condition.modes, condition.dry_modes
         star = "" if all(check.ok for check in (*run.checks, *condition.checks)) else " *"
         first = f"{name + star:<14}{condition.mass_kg / 1e3:>9.0f}{condition.floating.draught_m:>12.2f}"
         for mode in range(SHOWN):
@@ -34,8 +37,55 @@ def summary(run: Run) -> str:
                 f"{significant(modes.frequencies_hz[mode]):>10}"
                 f"{significant(modes.cycles_per_minute[mode]):>12}"
                 f"{significant(modes.angular_frequencies[mode]):>10}"
-                f"{significant(euler.frequencies_hz[mode]):>11}"
+                f"{significant(dry.frequencies_hz[mode]):>11}"
             )
-    if any(" *" in line for line in lines):
+    starred = any(" *" in line for line in lines)
+    lines += ["", *_ratios(run)]
+    lines += _shaft_speeds(run)
+    if starred:
         lines += ["", "* something is wrong with the ship or the condition: see the doubts"]
     return "\n".join(lines)
+
+
+def _ratios(run: Run) -> list[str]:
+    """Frequencies over the first one's, beside those of ships as they are."""
+    limits = ", ".join(f"{low:g}-{high:g}" for low, high in RATIO_LIMITS)
+    own = []
+    for name, condition in run.conditions.items():
+        three_node, four_node = ratios(condition.modes.angular_frequencies)
+        own.append(f"{name} {significant(three_node)}, {significant(four_node)}")
+    medium = next(iter(run.conditions.values())).modes.medium
+    return [
+        f"3-node and 4-node over 2-node frequency, ships in water: {limits}",
+        f"  {medium}: {'; '.join(own)}",
+    ]
+
+
+def _shaft_speeds(run: Run) -> list[str]:
+    """The shaft speeds to avoid, and what hits a mode at the service speed; a star marks modes 4 and 5."""
+    lines = []
+    for name, service in run.in_service.items():
+        found = service.resonances
+        if found is not None:
+            spans = ", ".join(f"{significant(low)}-{significant(high)}" for low, high in found.avoid_rpm)
+            lines.append(f"  {name}: {spans or 'none'}{_at_service_speed(found)}")
+    medium = next(iter(run.in_service.values())).modes.medium
+    head = f"shaft speeds to avoid, rpm, by {medium} modes 1 to {SURE_MODES} (a star: a mode above them, less sure)"
+    return [head, *lines] if lines else []
+
+
+def _at_service_speed(found: Resonances) -> str:
+    speed = found.given.service_rpm
+    if speed is None:
+        return ""
+    hits = [
+        f"{hit.source.name} hits mode {hit.mode}{'*' if hit.flagged else ''}, {_beside(found.margin_of(hit) or 0.0)}"
+        for hit in found.hits
+        if hit.holds(speed)
+    ]
+    return f"; at the service speed, {short(speed)}: {', '.join(hits) or 'no hit'}"
+
+
+def _beside(margin: float) -> str:
+    """How far an exciting frequency lies from a natural one."""
+    return f"{significant(100 * abs(margin), 2)} % {'above' if margin > 0 else 'below'} it"

@@ -6,7 +6,7 @@
 [5.0358, 13.8813, 27.2128, 44.9842, 67.1986]
 """
 
-from hullvib import distortion, empirical, errors, sensitivity
+from hullvib import distortion, empirical, engine, errors, real_ships, resonance, sensitivity, springing, wet
 from hullvib.bounds import Bracket, bracket
 from hullvib.correlation import Orthogonality, mac, orthogonality
 from hullvib.distortion import ritz_convergence
@@ -20,11 +20,13 @@ from hullvib.errors import (
     SolutionError,
 )
 from hullvib.finite_elements import FiniteElements
+from hullvib.forced import ForcedResponse, HarmonicLoad, forced_response, participation
 from hullvib.girder import Girder
 from hullvib.girder_files import parse_girder, read_girder, write_girder
 from hullvib.girder_stack import GirderStack
 from hullvib.many import ManyModes, solve_many
 from hullvib.mode_files import write_modes
+from hullvib.model_spread import model_uncertainty
 from hullvib.modes import Modes
 from hullvib.point_masses import PointMass
 from hullvib.ritz import Ritz
@@ -37,10 +39,12 @@ __all__ = [
     "ArgumentError",
     "Bracket",
     "FiniteElements",
+    "ForcedResponse",
     "Girder",
     "GirderError",
     "GirderFileError",
     "GirderStack",
+    "HarmonicLoad",
     "HullvibError",
     "ManyModes",
     "Method",
@@ -57,15 +61,23 @@ __all__ = [
     "bracket",
     "distortion",
     "empirical",
+    "engine",
     "errors",
+    "forced_response",
     "mac",
+    "model_uncertainty",
     "orthogonality",
     "parse_girder",
+    "participation",
     "read_girder",
+    "real_ships",
+    "resonance",
     "ritz_convergence",
     "sensitivity",
     "solve",
     "solve_many",
+    "springing",
+    "wet",
     "write_girder",
     "write_modes",
 ]

@@ -35,8 +35,13 @@ def orthogonality(modes: Modes) -> Orthogonality:
     """Residuals of the orthogonality of a set of modes, with the integrals taken anew.
 
     Off the diagonal they tell whether the modes are apart, on it whether modal mass and frequency fit the shapes: the
-    diagonal of the stiffness is Rayleigh's quotient against omega^2.
+    diagonal of the stiffness is Rayleigh's quotient against omega^2. Of dry modes: what the water adds to mass and
+    stiffness a girder does not know. Raises ArgumentError for others.
     """
+    if modes.medium != "dry":
+        raise ArgumentError(
+            f"the modes are {modes.medium}; these are orthogonal with the water's mass, which is not the girder's."
+        )
     rule = energy_rule(modes.girder, [modes.field], len(modes.scale), np.array([0.0, 1.0]))
     mass, stiffness = energy_matrices(modes.girder, modes.field, rule, rotary=modes.rotary, shear=modes.shear_flexible)
     scaled = np.outer(modes.scale, modes.scale)

@@ -1,8 +1,4 @@
-"""Shear-flexible frequencies of the ships against a finite-element model that shares no code with the solvers.
-
-Two hundred prismatic two-node elements with the textbook's shear-flexible stiffness (Przemieniecki, Theory of Matrix
-Structural Analysis, section 5.6) and lumped masses; properties at the element's middle.
-"""
+"""Shear-flexible frequencies of the ships against a finite-element model that shares no code with the solvers."""
 
 from __future__ import annotations
 
@@ -12,41 +8,15 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.linalg import eigh
+from textbook_elements import matrices
 
 from hullvib import Girder
 from hullvib.girder_files import read_girder
 
 
 def frequencies(girder: Girder, elements: int, modes: int) -> np.ndarray:
-    """Elastic frequencies in rad/s, mass lumped at the nodes so that each element's total and centre are kept."""
-    x = np.linspace(0.0, girder.length, elements + 1)
-    h, middle = girder.length / elements, (x[1:] + x[:-1]) / 2
-    ei, shear = girder.flexural_rigidity(middle), girder.shear_rigidity(middle)
-    stiffness = np.zeros((2 * elements + 2, 2 * elements + 2))
-    mass = np.zeros(2 * elements + 2)
-    for element in range(elements):
-        phi = 12 * ei[element] / (shear[element] * h**2)
-        block = (
-            ei[element]
-            / (h**3 * (1 + phi))
-            * np.array(
-                [
-                    [12, 6 * h, -12, 6 * h],
-                    [6 * h, (4 + phi) * h**2, -6 * h, (2 - phi) * h**2],
-                    [-12, -6 * h, 12, -6 * h],
-                    [6 * h, (2 - phi) * h**2, -6 * h, (4 + phi) * h**2],
-                ]
-            )
-        )
-        at = slice(2 * element, 2 * element + 4)
-        stiffness[at, at] += block
-        places = np.linspace(x[element], x[element + 1], 41)[:-1] + h / 80
-        share = (places - x[element]) / h
-        parts = girder.mass_per_length(places) * h / 40
-        mass[2 * element] += (parts * (1 - share)).sum()
-        mass[2 * element + 2] += (parts * share).sum()
-    for point in girder.point_masses:
-        mass[2 * round(point.x_m / h)] += point.mass_kg
+    """Elastic frequencies in rad/s."""
+    _, stiffness, mass = matrices(girder, elements)
     # the rotations carry no mass: condense them
     deflections, rotations = np.arange(0, len(mass), 2), np.arange(1, len(mass), 2)
     inner = np.linalg.solve(stiffness[np.ix_(rotations, rotations)], stiffness[np.ix_(rotations, deflections)])

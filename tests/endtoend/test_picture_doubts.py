@@ -10,7 +10,10 @@ import cv2
 import numpy as np
 import pytest
 from draw_bodyplans import draw, outline
+from generator.pictures import make
+from generator.suite import DEVELOPMENT_SEED, suite
 from reading_accuracy import station_errors
+from real_hull import real_hull
 
 from hullform.errors import OutputError, PictureError
 from hullform.picture import overlay
@@ -286,3 +289,28 @@ def test_a_scan_of_one_bit(name: str, tmp_path: Path) -> None:
     assert np.median(errors.rms_percent) <= 0.2
     # of the tanker's sheer line only specks are left, and with it goes where the foremost stations end
     assert np.mean(errors.rms_percent <= 1.2) >= 0.9 or "fore_stations_m would miss" in doubts(reading)
+
+
+@pytest.mark.parametrize("number", [40, 74])
+def test_sheer_does_not_speak_against_the_depth(number: int, tmp_path: Path) -> None:
+    # of the frigate and the tanker, the curves at the side end up to 5 % of D above the depth
+    picture = make(suite(DEVELOPMENT_SEED)[number])
+    assert "scale" not in "\n".join(read_picture(read_ship(picture.write(tmp_path))).body_plan.doubts)
+
+
+def test_one_station_too_many_in_a_list_is_told(tmp_path: Path) -> None:
+    # the two stations that then share a curve differ in their bottoms only
+    hull = real_hull("gunnerus", tmp_path)
+    text = hull.toml.read_text(encoding="utf-8")
+    hull.toml.write_text(text.replace("8.7, 10.44", "8.7, 9.5, 10.44"), encoding="utf-8")
+    reading = read_picture(read_ship(hull.toml))
+    assert "15.66, 17.4 m share the outermost curve, but the sections still change" in doubts(reading)
+
+
+def test_curves_that_cross_cost_confidence(tmp_path: Path) -> None:
+    hull = real_hull("gunnerus", tmp_path)
+    reading = read_picture(read_ship(hull.toml))
+    crossed = {float(x) for x in re.findall(r"station ([\d.]+) m \(\w+ half\)", doubts(reading))}
+    assert crossed
+    for station in reading.body_plan.stations:
+        assert (station.confidence <= 0.6) == (round(station.x_m, 3) in crossed)

@@ -58,13 +58,13 @@ def find_chromium() -> str:
 
 @contextmanager
 def served(ship: Path) -> Iterator[str]:
-    """The address of a review that the command line serves; it is ended as a person ends it."""
+    """The address of a review that the command line prints, its token with it; it is ended as a person ends it."""
     command = [sys.executable, "-m", "hullform.cli", "review", str(ship), "--no-browser"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert process.stdout is not None
     assert process.stderr is not None
     try:
-        found = re.search(r"http://127\.0\.0\.1:\d+/", process.stdout.readline())
+        found = re.search(r"http://127\.0\.0\.1:\d+/\S+", process.stdout.readline())
         assert found is not None, process.stderr.read()
         yield found.group()
     finally:

@@ -10,7 +10,7 @@ from hullform.picture.naming.contours import NO_LOOP, marks_on_loops, pair_loops
 from hullform.picture.naming.marks import PlacedMark, near_curves
 from hullform.picture.pieces.dome import find_dome, only_contours
 from hullform.picture.pieces.frame import DiagonalFrame
-from hullform.picture.pieces.joints import Tips, joints
+from hullform.picture.pieces.joints import Cover, Tips, joints
 from hullform.picture.tracing.bends import walking_order
 from hullform.picture.tracing.winding import closed, ends_at_centre
 from hullform.ship_body_plan import Mark
@@ -81,7 +81,9 @@ def tips(column: float, row: float, direction_deg: float) -> Tips:
 )
 def test_joints_go_on_bend_or_turn_a_corner(start: tuple[float, float], direction_deg: float, joined: bool) -> None:
     blank = np.zeros((800, 800), np.uint8)
-    source, _, _ = joints(tips(100.0, 100.0, 0.0), tips(*start, direction_deg), blank, SIZE, 1.0)
+    source, _, _ = joints(
+        tips(100.0, 100.0, 0.0), tips(*start, direction_deg), Cover(blank, blank.astype(np.float32)), SIZE, 1.0
+    )
     assert (source.size == 1) == joined
 
 

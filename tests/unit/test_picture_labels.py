@@ -82,6 +82,25 @@ def test_one_misplaced_label_is_no_doubt() -> None:
     assert doubts_of_labels(half_of(labels), CURVES, range(len(X))) == []
 
 
+def test_labels_of_which_only_an_end_was_read_are_no_doubt() -> None:
+    # '5' stands where '15' does and '4' where '14' does: ends of names that were not read whole
+    names = (*NAMES[:7], "5", "4")
+    ends = [label("5", CURVES[4][-1, 0], 410.0), label("4", CURVES[5][-1, 0], 410.0)]
+    assert doubts_of_labels(half_of(ends, names), CURVES, range(len(X))) == []
+    # where '15' and '14' were read elsewhere, they are no ends of them
+    whole = [label("15", 220.0, 150.0), label("14", 260.0, 152.0)]
+    (doubt,) = doubts_of_labels(half_of([*ends, *whole], names), CURVES, range(len(X)))
+    assert "the labels 4, 5 stand at other curves" in doubt
+
+
+def test_an_end_of_a_listed_number_is_not_missing_from_the_list() -> None:
+    names = ("1", "2", "3", "4", "5", "6", "7", "9", "18")
+    read = [label("8", 220.0, 300.0)]
+    assert doubts_of_labels(half_of([label("1", 40.0, 410.0), *read], names), CURVES, range(len(X))) == []
+    (doubt,) = doubts_of_labels(half_of([label("18", 360.0, 410.0), *read], names), CURVES, range(len(X)))
+    assert "labelled '8', which fore_station_names does not list" in doubt
+
+
 def test_a_label_that_no_list_has() -> None:
     names, x = tuple(n for n in NAMES if n != "16"), X[:3] + X[4:]
     labels = half_of(at_curves(), names, x)

@@ -13,17 +13,20 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from hullform import checks, rest_checks
+from hullform import checks, rest_checks, wet_checks
 from hullform.body_plan import BodyPlan, Station, TracedCurve
+from hullform.in_service import in_service as hold_in_service
 from hullform.loading.structure import structure_of
 from hullform.outcome import Run
 from hullform.pipeline import run_ship
 from hullform.report.page import CHECK_LABELS, draw_pictures, failed_checks, render, write_report
 from hullform.report.wording import reading_of_mode
-from hullform.rounding import per_cent, significant
+from hullform.rounding import per_cent, signed, significant
 from hullform.ship import read_ship
 from hullform.ship_structure import StructureInput
+from hullform.terminal import summary
 from hullvib.bounds import Bracket
+from hullvib.real_ships import ratios
 
 # The particulars of the paper's container ship, so that her report has its appendix; the hull is a plain one with
 # parabolic waterlines and sections, of far too little displacement: her checks of floating fail.
@@ -101,7 +104,8 @@ def test_report_and_figures_are_written(run: Run, tmp_path: Path) -> None:
     assert names == {
         "overlay.jpg", "body-plan-fit.svg", "sectional-areas.svg", "hull.png", "mass.svg", "structure.svg",
         "midship-section.svg",
-        "modes-loaded.svg", "modes-light-ship.svg", "modes-with-shear.svg", "convergence.svg",
+        "modes-loaded.svg", "modes-light-ship.svg",
+        "added-mass-loaded.svg", "added-mass-light-ship.svg", "modes-with-shear.svg", "convergence.svg",
             "still-water-loaded.svg", "still-water-light-ship.svg",
     }  # fmt: skip
     # the limit that the design sets for a page that is mailed about
@@ -142,17 +146,45 @@ def test_first_screen_has_each_frequency_to_three_figures(run: Run, page: str) -
             assert f"{significant(condition.modes.cycles_per_minute[mode])} cycles/min" in start
 
 
-def test_first_screen_is_of_the_girder_with_shear_and_sets_euler_bernoulli_beside_it(run: Run, page: str) -> None:
-    start = page[page.index('id="summary"') : page.index('id="picture"')]
-    assert "dry hull girder with shear deflection" in start
+def test_first_screen_is_of_the_girder_in_water_with_shear_and_sets_the_dry_one_beside_it(run: Run, page: str) -> None:
+    start = " ".join(page[page.index('id="summary"') : page.index('id="picture"')].split())
+    assert "girder with shear deflection, <strong>in water</strong>" in start
     for condition in run.conditions.values():
-        assert condition.modes.theory == "shear-flexible"
-        euler = condition.solutions["stodola_ritz"]
-        assert euler.theory == condition.euler_modes.theory == "Euler-Bernoulli"
+        assert (condition.modes.medium, condition.modes.theory) == ("wet", "shear-flexible")
+        assert (condition.dry_modes.medium, condition.dry_modes.theory) == ("dry", "shear-flexible")
         for mode in range(3):
-            lower = 100 * (1 - condition.modes.frequencies_hz[mode] / euler.frequencies_hz[mode])
-            words = f"{significant(lower, 2)} % below Euler–Bernoulli’s {significant(euler.frequencies_hz[mode])} Hz"
-            assert words in start
+            dry, hz = condition.dry_modes.frequencies_hz[mode], condition.modes.frequencies_hz[mode]
+            assert f"dry {significant(dry)} Hz · wet over dry {significant(hz / dry)}" in start
+
+
+def test_wet_modes_are_tabled_with_what_the_water_does(run: Run, page: str) -> None:
+    table = page[page.index('id="in-water"') :]
+    table = table[: table.index("</table>")]
+    for condition in run.conditions.values():
+        water = condition.in_water
+        for mode in range(3):
+            hz = condition.modes.frequencies_hz[mode]
+            share = water.shear.generalised_added_mass[mode] / water.shear.generalised_mass[mode]
+            strips = per_cent(water.strips_shear.modes.frequencies_hz[mode], hz)
+            assert (
+                f"<td>{significant(water.euler.modes.frequencies_hz[mode])}</td>\n<td><strong>{significant(hz)}</strong>"
+                in table
+            )
+            assert f"<td>{significant(share)}</td>\n<td>{significant(water.effective_factors[mode])}</td>" in table
+            assert f"<td>{strips}</td></tr>" in table
+
+
+def test_empirical_formulas_are_held_against_the_wet_figures(run: Run, page: str) -> None:
+    section = page[page.index('id="empirical"') : page.index('id="table-2"')]
+    for condition in run.conditions.values():
+        water = condition.in_water.shear
+        assert f"<td>{significant(1 + water.generalised_added_mass[0] / water.generalised_mass[0])}</td>" in section
+        todd = 1.2 + 32.2 / (3 * condition.floating.draught_m)
+        assert f"<td>{significant(todd)}</td>" in section
+        kumai, wet = condition.empirical.figures_rad_s["kumai"], condition.modes.angular_frequencies
+        for mode in range(3):
+            assert f"<td>{significant(kumai[mode] / (2 * np.pi))} ({per_cent(kumai[mode], wet[mode])})</td>" in section
+            assert f"<td><strong>{significant(wet[mode] / (2 * np.pi))}</strong></td>" in section
 
 
 def test_three_beams_stand_side_by_side(run: Run, page: str) -> None:
@@ -163,7 +195,7 @@ def test_three_beams_stand_side_by_side(run: Run, page: str) -> None:
     for condition in run.conditions.values():
         euler, timoshenko = (condition.solutions[name].frequencies_hz for name in ("stodola_ritz", "timoshenko"))
         for mode in range(3):
-            shear = condition.modes.frequencies_hz[mode]
+            shear = condition.dry_modes.frequencies_hz[mode]
             row = (
                 f"<td>{significant(euler[mode])}</td>\n<td><strong>{significant(shear)}</strong></td>"
                 f"<td>{per_cent(shear, euler[mode])}</td><td>{significant(timoshenko[mode])}</td>\n"
@@ -239,7 +271,7 @@ def test_the_midship_section_is_drawn_and_listed_with_its_thicknesses(run: Run, 
 
 
 def test_every_check_has_a_label_of_its_own() -> None:
-    source = inspect.getsource(checks) + inspect.getsource(rest_checks)
+    source = "".join(inspect.getsource(module) for module in (checks, rest_checks, wet_checks))
     ids = set(re.findall(r'(?:within|deviation|Check)\(\s*"([a-z-]+)"', source))
     assert len(ids) > 8
     assert ids == set(CHECK_LABELS)
@@ -336,3 +368,124 @@ def test_figures_are_the_same_bytes_for_the_same_run(run: Run) -> None:
     assert {name: picture.content for name, picture in first.items()} == {
         name: picture.content for name, picture in second.items()
     }
+
+
+SERVICE = """
+[excitation]
+propeller_blades = 5
+shaft_speed_rpm = [30.0, 104.0]
+service_rpm = 100.0
+cylinders = 6
+engine_orders = [1, 2]
+engine_x_m = 50.0
+m1v_nm = 4.0e5
+rated_power_kw = 30000.0
+damping = 0.015
+[operation]
+speeds_knots = [1.0, 24.0]
+headings_deg = [180.0, 0.0]
+"""
+
+
+@pytest.fixture(scope="module")
+def in_service(run: Run, tmp_path_factory: pytest.TempPathFactory) -> Run:
+    """The same ship with an engine, a propeller and a sea."""
+    path = tmp_path_factory.mktemp("service") / "ship.toml"
+    path.write_text(SHIP + SERVICE, encoding="utf-8")
+    ship = read_ship(path)
+    held = {name: hold_in_service(ship, condition.modes) for name, condition in run.conditions.items()}
+    return replace(run, ship=ship, in_service=held)
+
+
+def test_without_excitation_and_operation_the_report_says_so(page: str) -> None:
+    section = page[page.index('id="service"') : page.index('id="methods"')]
+    assert "ship.toml has no <code>[excitation]</code>" in section
+    assert "ship.toml has no <code>[operation]</code>" in section
+
+
+def test_every_hit_stands_in_the_report_with_its_speeds(in_service: Run) -> None:
+    pictures = draw_pictures(in_service)
+    names = {"resonance-loaded", "response-loaded", "resonance-light-ship", "response-light-ship", "springing"}
+    assert names <= set(pictures)
+    page = render(in_service, pictures, "")
+    for name, service in in_service.in_service.items():
+        found = service.resonances
+        assert found is not None
+        assert found.hits
+        part = page[page.index(f'id="figure-resonance-{name}"') : page.index(f'id="figure-response-{name}"')]
+        for hit, response in zip(found.hits, found.responses, strict=True):
+            low, high = (significant(rpm) for rpm in hit.avoid_rpm)
+            star = " *" if hit.flagged else ""
+            row = part.index(f'<th scope="row">{hit.mode}{star}</th><td class="words">{hit.source.name}</td>')
+            cells = part[row : part.index("</tr>", row)]
+            assert f"<td>{low}–{high}</td>" in cells
+            assert ("<strong>hit</strong>" in cells) == hit.holds(100.0)
+            assert significant(1e3 * response.motion.peak_velocity_m_s[0]) in cells
+        for low, high in found.avoid_rpm:
+            assert f"{significant(low)} to {significant(high)} rpm" in part
+        margins = part[part.index("Margins at the service speed, 100 rpm") :]
+        assert margins.count("<strong>") == sum(hit.holds(100.0) for hit in found.hits)
+        assert found.margins is not None
+        for margin in found.margins.ravel():
+            assert f"{signed(100 * margin)}<" in margins
+    assert "give <code>m2v_nm</code>" in page
+    assert "no verdict on habitability" in page
+    assert "Outside beam theory at the service speed: blade rate, 8.33 Hz" in " ".join(page.split())
+    # 4e5 N m over 30 MW: 13.3 N m/kW
+    assert '<td>13.3</td><td class="words">not relevant</td>' in page
+
+
+def test_axes_of_the_service_figures_have_units(in_service: Run) -> None:
+    pictures = draw_pictures(in_service)
+    for name, labels in (
+        ("resonance-loaded", ("shaft speed, rpm", "frequency, Hz", "outside beam theory", "service 100 rpm")),
+        (
+            "response-loaded",
+            (
+                "peak velocity, mm/s",
+                "x from the aft end, m",
+                "loads as given",
+                "of 1 kN at the propeller",
+                "of 1 MN m at the engine",
+            ),
+        ),
+        ("springing", ("wave length, m", "wave period, s", "speed, knots", "head seas, 180°", "following seas, 0°")),
+    ):
+        text = pictures[name].content.decode("utf-8")
+        for label in labels:
+            assert label in text
+
+
+def test_the_waves_that_she_overtakes_are_marked(in_service: Run) -> None:
+    page = render(in_service, draw_pictures(in_service), "")
+    table = page[page.index('id="figure-springing"') : page.index('id="methods"')]
+    found = in_service.in_service["loaded"].springing
+    assert found is not None
+    for met in found.waves:
+        cell = f"{significant(met.wave.length_m)} ({significant(met.wave.length_m / 262.0, 2)}), "
+        cell += f"{significant(met.wave.period_s)} s{'†' if met.wave.overtaken else ''}"
+        assert cell in table
+
+
+def test_ships_as_they_are_stand_beside_her(run: Run, page: str) -> None:
+    section = page[page.index('id="ships-as-they-are"') : page.index('id="service"')]
+    for condition in run.conditions.values():
+        for ratio in ratios(condition.modes.angular_frequencies):
+            assert f"<td>{significant(ratio)}</td>" in section
+    assert "1.7–2.15" in section
+    dry = next(iter(run.conditions.values())).modes.medium == "dry"
+    assert ("are <strong>dry</strong>" if dry else "A ratio outside is a doubt") in section
+
+
+def test_the_terminal_tells_what_to_avoid(in_service: Run, run: Run) -> None:
+    text = summary(in_service)
+    found = in_service.in_service["loaded"].resonances
+    assert found is not None
+    low, high = found.avoid_rpm[0]
+    assert f"  loaded: {significant(low)}-{significant(high)}" in text
+    assert "at the service speed, 100: " in text
+    for hit in found.hits:
+        words = f"{hit.source.name} hits mode {hit.mode}{'*' if hit.flagged else ''}, "
+        assert (words in text.split("  light-ship:")[0].split("shaft speeds")[1]) == hit.holds(100.0)
+    assert "shaft speeds" not in summary(run)
+    assert "ships in water: 1.7-2.15, 2.8-3.2" in summary(run)

@@ -128,7 +128,7 @@ def test_review_that_does_not_fit_is_not_saved(desk: Desk) -> None:
     review = desk.opening()["review"]
     stray = {"id": "c1", "kind": "mark", "station_m": 33.0, "half": "aft", "px": [800.0, 700.0]}
     with pytest.raises(ReviewError, match=r"station 33 m of the aft half"):
-        desk.save(review | {"corrections": [stray]})
+        desk.save(review | {"corrections": [stray]}, "none")
     assert not desk.ship.path.with_name("ship.review.json").exists()
 
 

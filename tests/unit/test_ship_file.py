@@ -131,7 +131,7 @@ def test_the_aft_perpendicular_is_at_the_aft_end_where_the_lengths_agree(tmp_pat
             "deadweight_t = 1000.0\ndraught_aft_m = 5.0",
             "draught_aft_m and draught_fore_m go together",
         ),
-        ("[weights]", "[weights]\n[excitation]", "excitation: is reserved for a later version"),
+        ("[weights]", "[weights]\n[excitation]", "excitation.shaft_speed_rpm: is missing"),
         (
             "[body_plan]",
             "[body_plan]\nmesh = 'x.stl'",

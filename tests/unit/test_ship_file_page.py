@@ -25,6 +25,7 @@ STRUCTURES = [document for kind, document in BLOCKS if kind == "structure"]
 LOADED = [document for kind, document in BLOCKS if kind == "condition"]
 MESHES = [document for kind, document in BLOCKS if kind == "mesh"]
 TABLES_OF_OFFSETS = re.findall(r"<!-- file: \S+\.csv -->\n```csv\n(.*?)```", PAGE, re.DOTALL)
+IN_SERVICE = [document for kind, document in BLOCKS if kind == "service"]
 CALIBRATIONS = [document for kind, document in BLOCKS if kind == "calibration"]
 
 
@@ -163,6 +164,15 @@ def test_the_list_of_weights_is_accepted_with_the_whole_example() -> None:
     (given,) = LOADED
     (condition,) = Ship.model_validate(document | given).conditions
     assert {item.shape for item in condition.items} == {"sectional-area", "trapezoid", "table"}
+
+
+def test_propeller_engine_and_waves_are_accepted_with_the_whole_example() -> None:
+    document = tomllib.loads(EXAMPLE.findall(PAGE)[-1][1])
+    (given,) = IN_SERVICE
+    ship = Ship.model_validate(document | given)
+    assert ship.excitation is not None
+    assert ship.excitation.orders == (1.0, 2.0)
+    assert ship.operation is not None
 
 
 def test_both_ways_of_calibrating_are_shown() -> None:

@@ -18,11 +18,12 @@ from hullform.picture.checking.doubts import (
     doubts_of_counts,
     doubts_of_edges,
     doubts_of_keel,
-    doubts_of_parallel_body,
     doubts_of_scale,
+    doubts_of_the_whole,
 )
 from hullform.picture.checking.effects import Unheeded, unheeded_corrections
 from hullform.picture.checking.loose_ends import doubts_of_loose_ends
+from hullform.picture.checking.parallel_body import doubts_of_parallel_body
 from hullform.picture.edits.placing import place_corrections
 from hullform.picture.image.image_files import Picture
 from hullform.picture.image.reduction import Reduction
@@ -38,7 +39,7 @@ from hullform.ship import Ship
 Array = NDArray[np.float64]
 
 LABELS_NOT_READ = (
-    "the labels of the drawing were not read, which might settle doubts about names: install the extra 'ocr' "
+    "the labels of the drawing were not read, so that nothing speaks for or against the names: install the extra 'ocr' "
     "(pip install 'hullform[ocr]')"
 )
 
@@ -145,7 +146,15 @@ def _read(sheet: Sheet, ship: Ship, corrections: Sequence[Correction]) -> Pictur
     doubts_of_stations = [
         *(doubt for half in halves for doubt in half.doubts),
         *(item.text for item in without_effect),
-        *doubts_of_scale(str(path), readings, sheet.ink, sheet.bare, main.breadth_m, main.depth_m),
+        *doubts_of_scale(
+            str(path),
+            readings,
+            sheet.ink,
+            sheet.bare,
+            main.breadth_m,
+            main.depth_m,
+            by_grid=sheet.calibrated.grid_m is not None,
+        ),
         *doubts_below_base(readings, sheet.bare),
         *doubts_of_keel(readings, main.depth_m),
         *doubts_of_counts(halves),
@@ -155,10 +164,11 @@ def _read(sheet: Sheet, ship: Ship, corrections: Sequence[Correction]) -> Pictur
     ]
     notes_of_input, doubts_of_input = check_input(path.name, sheet.halves.values(), sheet.size_px[0])
     notes = [*sheet.calibrated.notes, *(note for half in halves for note in half.notes), *notes_of_input]
-    if labels is None and doubts_of_stations:
+    if labels is None:
         notes.append(LABELS_NOT_READ)
     doubts = [*sheet.calibrated.doubts, *doubts_of_stations, *doubts_of_input, *doubts_of_edges(readings, sheet.bare)]
     doubts += doubts_of_loose_ends(halves)
+    doubts = [*doubts_of_the_whole(len(doubts), sum(len(half.inner_first) for half in halves)), *doubts]
     calibration = sheet.calibrated.calibration
     body_plan = BodyPlan(tuple(stations), "picture", sheet.reduction.stored(calibration), tuple(notes), tuple(doubts))
     scale = calibration.metres_per_px

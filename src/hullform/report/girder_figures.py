@@ -127,7 +127,7 @@ def modes_figure(condition: ConditionRun) -> Picture:
 
 
 def headline_modes_figure(run: Run) -> Picture:
-    """The shapes of the headline, with shear deflection, over the Euler-Bernoulli girder's."""
+    """The shapes of the headline, in water with shear deflection, over the same girder's dry ones."""
     conditions = list(run.conditions.values())
     figure, panels = _panels(len(conditions))
     x = np.linspace(0.0, run.hull.length_overall_m, 301)
@@ -135,8 +135,7 @@ def headline_modes_figure(run: Run) -> Picture:
         for mode in range(SHOWN_MODES):
             colour = SERIES[mode % len(SERIES)]
             axes.plot(x, condition.modes.shape(x)[mode], color=colour, linewidth=1.4, label=f"mode {mode + 1}")
-            euler = condition.solutions["stodola_ritz"].shape(x)[mode]
-            axes.plot(x, euler, color=colour, linewidth=1.0, linestyle=":")
+            axes.plot(x, condition.dry_modes.shape(x)[mode], color=colour, linewidth=1.0, linestyle=":")
         axes.axhline(0.0, color=QUIET, linewidth=0.8, zorder=0)
         finish(axes, "x from the aft end, m", "", run.hull.length_overall_m)
         axes.set_ylim(-1.15, 1.15)
@@ -147,9 +146,9 @@ def headline_modes_figure(run: Run) -> Picture:
     return as_svg(
         figure,
         "modes-with-shear",
-        "Shapes of the headline, with shear deflection, dry; the Euler-Bernoulli girder's dotted. "
+        "Shapes of the headline, in water with shear deflection; dotted the same girder's, dry. "
         f"Each shape is scaled to {conditions[0].modes.normalisation_note}.",
-        "Shapes of modes 1 to 3 along the ship in each condition, with shear deflection and without.",
+        "Shapes of modes 1 to 3 along the ship in each condition, in water and dry.",
     )
 
 

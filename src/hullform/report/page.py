@@ -22,9 +22,24 @@ from hullform.report import girder_figures, hull_figures, hull_view, midship_fig
 from hullform.report.appendix import table_2_blocks
 from hullform.report.drawing import JPEG_QUALITY, Picture, house_style
 from hullform.report.published import FUNCTIONS
+from hullform.report.resonance_figures import resonance_figure, response_figure
+from hullform.report.springing_figure import springing_figure
 from hullform.report.still_water_figure import still_water_figure
-from hullform.report.wording import ceiling, proven_error, reading_of_mode, words_of_form
+from hullform.report.water_figure import added_mass_figure
+from hullform.report.wording import (
+    ceiling,
+    load_words,
+    participation_words,
+    proven_error,
+    reading_of_mode,
+    springing_rows,
+    words_of_form,
+)
 from hullform.rounding import as_given, per_cent, short, signed, significant
+from hullform.ship_kinds import published_like
+from hullvib.model_spread import FLEXURAL_SPREAD, MASS_SPREAD, SHEAR_SPREAD
+from hullvib.real_ships import RATIO_LIMITS, ratios
+from hullvib.resonance import KEEP_CLEAR
 
 if TYPE_CHECKING:
     from hullform.picture.reading import PictureReading
@@ -51,8 +66,12 @@ CHECK_LABELS = {
     "equivalent-thickness": "Midship second moment, given over modelled",
     "hatch-openings": "Hatch openings of a container ship over her breadth",
     "steel-estimate": "Numeral within those behind the estimated steel weight",
+    "panel-volume": "Volume within the panels of the wetted hull",
+    "wet-strips": "Wet frequencies by strips against panels, the mode that differs most",
     "mesh-volume": "Volume of the mesh against the sections",
     "first-frequency": "First frequency, as of hulls of her length",
+    "three-node-ratio": "3-node over 2-node frequency, as of ships",
+    "four-node-ratio": "4-node over 2-node frequency, as of ships",
 }
 LIBRARIES = ("numpy", "scipy", "opencv-python-headless", "trimesh", "matplotlib")
 
@@ -90,10 +109,24 @@ def draw_pictures(run: Run) -> dict[str, Picture]:
             girder_figures.structure_figure(run),
             midship_figure.midship_figure(run),
             *(girder_figures.modes_figure(condition) for condition in run.conditions.values()),
+            *(added_mass_figure(condition) for condition in run.conditions.values()),
             girder_figures.headline_modes_figure(run),
             girder_figures.convergence_figure(run),
+            *_of_service(run),
         ]
     return {picture.name: picture for picture in pictures}
+
+
+def _of_service(run: Run) -> list[Picture]:
+    """What there is to draw of propeller, engine and waves."""
+    pictures = []
+    for name, service in run.in_service.items():
+        if service.resonances is not None:
+            title = run.conditions[name].condition.title
+            pictures.append(resonance_figure(name, title, service.modes, service.resonances))
+            if service.resonances.responses:
+                pictures.append(response_figure(name, title, service.modes, service.resonances))
+    return pictures if run.ship.operation is None else [*pictures, springing_figure(run)]
 
 
 def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
@@ -132,6 +165,15 @@ def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
         "functions": FUNCTIONS,
         "per_cent": per_cent,
         "reading_of_mode": reading_of_mode,
+        "services": [(held.condition.title, name, run.in_service[name]) for name, held in run.conditions.items()],
+        "ratios": ratios,
+        "ratio_limits": RATIO_LIMITS,
+        "published_like": published_like(run.ship.particulars),
+        "keep_clear": KEEP_CLEAR,
+        "spreads": (MASS_SPREAD, FLEXURAL_SPREAD, SHEAR_SPREAD),
+        "load_words": load_words,
+        "participation_words": participation_words,
+        "springing_rows": springing_rows,
         "errors": {name: proven_error(condition, HEADLINE_MODES) for name, condition in run.conditions.items()},
         "radius_of_gyration_m": RADIUS_OF_GYRATION * run.ship.particulars.depth_m,
         "gyration_over_depth": RADIUS_OF_GYRATION,

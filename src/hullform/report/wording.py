@@ -8,8 +8,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from hullform.body_plan import Source
+from hullform.in_service import HARDLY_EXCITED, Response, Springing
 from hullform.outcome import ConditionRun, Run
 from hullform.rounding import significant
+from hullvib import springing
 from hullvib.distortion import Shift
 from hullvib.fields import UniformModeSeries
 from hullvib.uniform_beam import frequency_parameters
@@ -81,6 +83,31 @@ def ceiling(value: float) -> str:
     """A positive bound rounded up to one figure, for 'below'."""
     unit = 10.0 ** math.floor(math.log10(value))
     return significant(math.ceil(value / unit) * unit, 1)
+
+
+def load_words(response: Response) -> str:
+    """The amplitude of the load of a forced response."""
+    if response.load.force_n:
+        return f"{significant(response.load.force_n / 1e3)} kN"
+    return f"{significant(response.load.moment_n_m / 1e6)} MN m"
+
+
+def participation_words(share: float) -> str:
+    """How well a source excites a mode from where it stands."""
+    return f"{significant(share, 2)}, hardly" if share < HARDLY_EXCITED else significant(share, 2)
+
+
+def springing_rows(found: Springing) -> list[tuple[float, float, list[list[springing.ExcitingWave]]]]:
+    """Heading, speed and the waves of each order, a row a heading and speed."""
+    return [
+        (heading, speed, [
+            [met.wave for met in found.waves
+             if (met.heading_deg, met.speed_knots, met.wave.order) == (heading, speed, order)]
+            for order in springing.ORDERS
+        ])
+        for heading in found.given.headings_deg
+        for speed in found.given.speeds_knots
+    ]  # fmt: skip
 
 
 def _composition(condition: ConditionRun, index: int) -> str:

@@ -18,7 +18,7 @@ from hullform.picture.reading import PictureReading, read_sheet
 from hullform.picture.sheet.sheet import Sheet, prepare_sheet
 from hullform.review.strip import straightened
 from hullform.review.view import reading_document
-from hullform.review_file import Review, checked_review, new_review, read_review, write_review
+from hullform.review_file import Review, checked_review, new_review, read_review, revision_of, write_review
 from hullform.ship import Ship
 from hullform.ship_body_plan import SAME_STATION_M
 
@@ -31,6 +31,18 @@ class SupersededError(Exception):
     """A later state of the review asked for a reading before this one began."""
 
 
+class OverwritingError(Exception):
+    """The review file has changed since the page that would save read it.
+
+    Attributes:
+        revision: of the file as it lies there now.
+    """
+
+    def __init__(self, message: str, revision: str) -> None:
+        super().__init__(message)
+        self.revision = revision
+
+
 class Desk:
     """Reads the picture as a review has it, one reading at a time; the latest that was asked for wins.
 
@@ -41,18 +53,25 @@ class Desk:
 
     def __init__(self, ship: Ship) -> None:
         self.ship = ship
-        self.saved: Review = read_review(ship) or new_review(ship)
+        self._saved()  # so that a damaged review is told before a page opens
         rows, columns = load_grey(ship.picture.image_path, ship.picture.page).shape
         self.size_px = (columns, rows)
         self._sheets: OrderedDict[str, Sheet] = OrderedDict()
         self._reading: PictureReading | None = None
         self._working = threading.Lock()
         self._counting = threading.Lock()
+        self._saving = threading.Lock()
         self._asked = 0
 
     def opening(self) -> Document:
-        """What the page needs to open: the ship, the picture, the saved review, its reading or why there is none."""
+        """What the page needs to open: the ship, the picture, the saved review, its reading or why there is none.
+
+        Raises:
+            ReviewError: the review that lies there by now is damaged, or was made of another picture.
+        """
         source, main = self.ship.picture, self.ship.particulars
+        with self._saving:
+            saved, revision = self._saved(), revision_of(self.ship)
         document: Document = {
             "ship": {
                 "name": main.name,
@@ -74,7 +93,8 @@ class Desk:
             "picture": {"file": source.image, "width_px": self.size_px[0], "height_px": self.size_px[1]},
             "review_file": self.ship.review_path.name,
             "saved_before": self.ship.review_path.exists(),
-            "review": review_document(self.saved),
+            "review": review_document(saved),
+            "revision": revision,
         }
         try:
             return document | {"reading": self.solve(document["review"]), "failure": None}
@@ -107,18 +127,31 @@ class Desk:
             view = reading_document(sheet, reading, ship)
             return view | {"seconds": time.perf_counter() - began}
 
-    def save(self, document: Document) -> Path:
-        """Write a review beside ship.toml; returns the path.
+    def save(self, document: Document, revision: str) -> tuple[Path, str]:
+        """Write a review beside ship.toml; returns the path, and the revision that the file then has.
+
+        Args:
+            document: a whole review file.
+            revision: of the file that the page went on from; only that one is written over.
 
         Raises:
             ReviewError: it is no review of this picture.
+            OverwritingError: the file is of another revision.
             OutputError: it cannot be written.
         """
         review = checked_review(document, self.ship)
         review.applied_to(self.ship)
-        path = write_review(review, self.ship)
-        self.saved = review
-        return path
+        with self._saving:
+            found = revision_of(self.ship)
+            if found != revision:
+                raise OverwritingError(
+                    f"{self.ship.review_path.name} was changed since this page read it, by another page or program. "
+                    "Load this page again to go on from that file (what is not saved here is lost then), or save over "
+                    "it",
+                    found,
+                )
+            path = write_review(review, self.ship)
+            return path, revision_of(self.ship)
 
     def strip(self, half: str, station_m: float, curve: int) -> bytes:
         """A PNG of the picture along a station's curve, straightened: keel left, deck right.
@@ -132,6 +165,9 @@ class Desk:
                 if station.half == half and abs(station.x_m - station_m) <= SAME_STATION_M:
                     return _png(straightened(reading, station, int(np.clip(curve, 0, len(station.curves) - 1))))
         raise PictureError(f"station {station_m:g} m of the {half} half has no curve")
+
+    def _saved(self) -> Review:
+        return read_review(self.ship) or new_review(self.ship)
 
     def _sheet(self, ship: Ship) -> Sheet:
         source = ship.picture

@@ -16,13 +16,14 @@ from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
 from hullform.errors import HullformError, ReviewError
-from hullform.review.desk import Desk, SupersededError
+from hullform.review.desk import Desk, OverwritingError, SupersededError
 from hullform.review.guard import LoopbackOnly
 from hullform.review.shown_picture import shown_picture
 
 STATIC = Path(__file__).parent / "static"
 TOKEN_PLACE = "{{ token }}"
-REFUSED, SUPERSEDED = 422, 409
+REFUSED, SUPERSEDED, CHANGED_MEANWHILE = 422, 409, 412
+REVISION_HEADER = "x-review-revision"
 
 
 def review_app(desk: Desk, token: str) -> Starlette:
@@ -30,7 +31,7 @@ def review_app(desk: Desk, token: str) -> Starlette:
 
     Args:
         desk: of the ship.
-        token: which the page was handed and sends with all that changes anything.
+        token: in the address of the page, which sends it with all that changes anything.
     """
     page = (STATIC / "index.html").read_text(encoding="utf-8").replace(TOKEN_PLACE, token)
 
@@ -49,8 +50,13 @@ def review_app(desk: Desk, token: str) -> Starlette:
         return await _answer(desk.solve, await _document(request))
 
     async def save(request: Request) -> Response:
-        document = await _document(request)
-        return await _answer(lambda: {"file": str(desk.save(document))})
+        document, revision = await _document(request), request.headers.get(REVISION_HEADER, "")
+
+        def saved() -> dict[str, Any]:
+            path, now = desk.save(document, revision)
+            return {"file": str(path), "revision": now}
+
+        return await _answer(saved)
 
     async def strip(request: Request) -> Response:
         asked = request.query_params
@@ -94,6 +100,8 @@ async def _answer(work: Callable[..., dict[str, Any]], *arguments: Any) -> Respo
         return JSONResponse(await run_in_threadpool(work, *arguments))
     except SupersededError as error:
         return JSONResponse({"message": str(error)}, status_code=SUPERSEDED)
+    except OverwritingError as error:
+        return JSONResponse({"message": str(error), "revision": error.revision}, status_code=CHANGED_MEANWHILE)
     except HullformError as error:
         return JSONResponse({"message": str(error)}, status_code=REFUSED)
 

@@ -12,6 +12,7 @@ import uvicorn
 
 from hullform.errors import OutputError
 from hullform.review.desk import Desk
+from hullform.review.guard import TOKEN_QUERY
 from hullform.review.server import review_app
 from hullform.ship import Ship
 
@@ -54,7 +55,8 @@ def serve_review(ship: Ship, port: int, open_browser: bool, say: Callable[[str],
             raise OutputError(
                 f"port {port} of {ADDRESS} cannot be used ({error}); choose another with --port, or leave --port out"
             ) from None
-        address = f"http://{ADDRESS}:{listening.getsockname()[1]}/"
+        token = secrets.token_urlsafe(24)
+        address = f"http://{ADDRESS}:{listening.getsockname()[1]}/?{TOKEN_QUERY}={token}"
 
         def ready() -> None:
             say(address)
@@ -63,7 +65,7 @@ def serve_review(ship: Ship, port: int, open_browser: bool, say: Callable[[str],
                 threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()
 
         config = uvicorn.Config(
-            review_app(desk, secrets.token_urlsafe(24)),
+            review_app(desk, token),
             log_level="warning",
             access_log=False,
             timeout_graceful_shutdown=PATIENCE_S,

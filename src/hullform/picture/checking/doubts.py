@@ -10,20 +10,18 @@ from numpy.typing import NDArray
 
 from hullform.errors import PictureError
 from hullform.picture.image.ink import Ink
-from hullform.picture.naming.alignment import NO_CURVE
 from hullform.picture.naming.named_half import NamedHalf
 from hullform.picture.tracing.half import HalfReading
 
 Array = NDArray[np.float64]
 
-LONGEST_PARALLEL_BODY = 0.45  # of LPP: longer than full tankers share one drawn curve
-MOST_UNDRAWN = 0.34  # of a half's stations: tankers leave a fifth to a quarter undrawn
-FULLEST = 0.994  # of B/2: what a curve of the parallel body reaches
-SAME_BODY = 0.015  # between the areas of the two halves' curves of the parallel body
 AT_SIDE = 0.97  # of B/2: what the outermost curve of a drawing reaches
 NEAR_SIDE = 0.9  # of B/2: stations there end about as high as the midship section
 ON_SIDE = 0.996  # of B/2: stations there run up the line of the ship's side
 SCALES_APART = 0.015  # between breadth and depth, beyond which a person should look
+ENDS_AT_DEPTH = (
+    0.25  # of the curves that end near the side: so many amidships end at the depth, others with sheer above
+)
 HOPELESS = 0.85  # least ratio of the scales of breadth and depth, either way
 RUNS_ON = (0.02, 0.06)  # of B/2: where ink beyond the end of a curve means that the curve goes on
 SIDE_WINDOW = 0.08  # of B/2: the stretch of the line of the side that must be drawn for the most part
@@ -31,9 +29,25 @@ HIGHEST_KEEL = 0.04  # of D: of the midship section
 TRACED_BELOW = 0.012  # of B/2 below the base line: nearer to it flat bottoms waver
 DEEPEST = 0.5  # of B/2: how far down is looked
 DEEP = 0.06  # of B/2: what hangs down from the base line less far is a label or a box line's end
+FEWEST_DOUBTS, MOST_DOUBTED = 6, 0.3  # all in all, and of the stations: so many doubts have a common cause
 EDGE_PX = 2.5
 FEWEST_CUT = 3  # lines at the picture's edge: one or two may be the scanner's
 WIDEST_STROKE_PX = 40
+
+
+def doubts_of_the_whole(doubts: int, stations: int) -> list[str]:
+    """What to look at before the single doubts, where they are so many that something common must be wrong.
+
+    Args:
+        doubts: number of all others.
+        stations: number that is listed.
+    """
+    if doubts < max(FEWEST_DOUBTS, MOST_DOUBTED * stations):
+        return []
+    return [
+        f"{doubts} doubts for {stations} stations: look first whether the picture shows a body plan alone, upright and "
+        "not turned by 90 degrees or mirrored, and whether scale and base line lie right in the overlay"
+    ]
 
 
 def doubts_of_counts(halves: Sequence[NamedHalf]) -> list[str]:
@@ -57,43 +71,8 @@ def doubts_of_counts(halves: Sequence[NamedHalf]) -> list[str]:
     return doubts
 
 
-def doubts_of_parallel_body(halves: Sequence[NamedHalf], length_between_perpendiculars_m: float) -> list[str]:
-    """Stations that share the outermost curve although they can hardly be a parallel body."""
-    doubts = []
-    sharing = [half for half in halves if half.shared]
-    for half in sharing:
-        name, curves, listed = half.reading.half, len(set(half.assigned) - {NO_CURVE}), len(half.inner_first)
-        words = half.names.several(half.shared)
-        reach = float(half.reading.curves[-1][:, 0].max()) / half.reading.frame.half_breadth_px
-        if listed - curves > MOST_UNDRAWN * listed:
-            doubts.append(
-                f"{name} half: {curves} curves for {listed} stations, so that {words} would share the outermost; "
-                f"check {name}_stations_m and aft_side"
-            )
-        elif reach < FULLEST:
-            doubts.append(
-                f"{name} half: {curves} curves for {listed} stations, but the outermost, which {words} would share, "
-                f"reaches only {100 * reach:.1f} % of B/2 and is no parallel body; check {name}_stations_m"
-            )
-    shared = [x for half in sharing for x in half.shared]
-    share = (max(shared) - min(shared)) / length_between_perpendiculars_m if shared else 0.0
-    if share > LONGEST_PARALLEL_BODY:
-        doubts.append(
-            f"parallel body: the stations from {min(shared):g} to {max(shared):g} m, {100 * share:.0f} % of LPP, share "
-            "the outermost curves; check aft_stations_m and fore_stations_m"
-        )
-    if len(sharing) == 2:
-        areas = [_area(half.reading.curves[-1]) for half in sharing]
-        if abs(areas[0] / areas[1] - 1) > SAME_BODY:
-            doubts.append(
-                f"parallel body: the outermost curves of the two halves enclose areas "
-                f"{100 * areas[0] / areas[1]:.1f} : 100 and are not one section; check aft_stations_m, fore_stations_m"
-            )
-    return doubts
-
-
 def doubts_of_scale(
-    path: str, readings: Sequence[HalfReading], ink: Ink, bare: Ink, breadth_m: float, depth_m: float
+    path: str, readings: Sequence[HalfReading], ink: Ink, bare: Ink, breadth_m: float, depth_m: float, by_grid: bool
 ) -> list[str]:
     """The scale of the breadth against the height to which the ship's side is drawn, which is the depth.
 
@@ -103,6 +82,7 @@ def doubts_of_scale(
         ink: (rows, columns) of the picture.
         bare: the same, its long straight lines taken off.
         breadth_m, depth_m: of ship.toml.
+        by_grid: whether a grid fixed the scale, so that no stretched picture can be the reason.
 
     Raises:
         PictureError: they are so far apart that no figure read would mean anything.
@@ -117,15 +97,18 @@ def doubts_of_scale(
         max(float(curve[-1, 1]) for curve in near_side or [curve for curve, _ in curves]) * scale
     ]
     near = np.asarray(cv2.dilate(bare, np.ones((7, 7), np.uint8)), dtype=np.float32)
-    cut_off = sum(_runs_on(curve, reading, near) for curve, reading in curves) > 0.5 * len(curves)
-    # those that run up the line of B/2 are taken to the depth by its meaning
+    # those that run up the line of B/2 are taken to the depth by its meaning, and along it others go on with sheer
+    off_side = [(c, r) for c, r in curves if c[-1, 0] < ON_SIDE * r.frame.half_breadth_px]
+    beyond = [_runs_on(curve, reading, near) for curve, reading in off_side or curves]
+    cut_off = sum(beyond) > 0.5 * len(beyond)
     ends_m = [
         float(curve[-1, 1]) * scale
-        for curve, reading in curves
-        if NEAR_SIDE < curve[-1, 0] / reading.frame.half_breadth_px < ON_SIDE
+        for curve, reading in off_side
+        if curve[-1, 0] > NEAR_SIDE * reading.frame.half_breadth_px
     ]
-    curves_above = cut_off or any(end > (1 + SCALES_APART) * depth_m for end in ends_m)
-    # with sheer some of them end above the depth, but never those amidships; in a stretched picture all do, and as much
+    # the depth is that amidships: with sheer the others end above it, in a stretched picture all do, and as much
+    at_depth = sum(abs(end / depth_m - 1) < SCALES_APART for end in ends_m) >= max(2, ENDS_AT_DEPTH * len(ends_m))
+    curves_above = cut_off or (not at_depth and any(end > (1 + SCALES_APART) * depth_m for end in ends_m))
     all_above = cut_off or (bool(ends_m) and min(ends_m) > depth_m / HOPELESS)
     top = max(tops_m) if max(tops_m) < depth_m else min(tops_m)
     fits = (top / depth_m > 1 - SCALES_APART) and (top / depth_m < 1 + SCALES_APART or not curves_above)
@@ -140,6 +123,8 @@ def doubts_of_scale(
             f"{path}: {words}; these do not fit: check breadth_m, depth_m, [body_plan.calibration] and whether the "
             "picture was stretched or cut off"
         )
+    if by_grid:
+        return [f"scale: {words}; the grid fixed the scale: check depth_m and breadth_m, and the grid in the overlay"]
     return [
         f"scale: {words}; that is {scale:.5g} m per px by the breadth and {scale * depth_m / top:.5g} m per px by the "
         "depth: check breadth_m, depth_m and whether the picture was stretched"
@@ -225,10 +210,6 @@ def _strokes(strip: Ink) -> int:
     drawn = np.concatenate([[False], strip > 0.3, [False]])
     starts, ends = np.flatnonzero(~drawn[:-1] & drawn[1:]), np.flatnonzero(drawn[:-1] & ~drawn[1:])
     return int(np.count_nonzero(ends - starts <= WIDEST_STROKE_PX))
-
-
-def _area(curve: Array) -> float:
-    return float(np.trapezoid(curve[:, 0], curve[:, 1]))
 
 
 def _top_of_side(reading: HalfReading, ink: Ink) -> float | None:

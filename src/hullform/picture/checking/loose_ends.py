@@ -16,6 +16,8 @@ Array = NDArray[np.float64]
 ON_AXIS = 0.012  # of B/2: a lower end so near the centre line or the base line lies on it
 ON_DECK = 0.025  # of B/2: an upper end so near a deck edge lies on it
 ON_SIDE = 0.012  # of B/2: so near the line of B/2 a curve runs on along it
+IN_AXIS = 0.006  # of B/2: so near the centre line a curve is hidden in its ink
+LONGEST_HIDDEN = 0.2  # of B/2: of the runs along it that were longer 12 of 15 were no part of their stations
 LONGEST_UNREAD = 0.12  # of B/2: longer strokes are pieces of stations, not labels
 
 
@@ -79,6 +81,12 @@ def loose_end(curve: Array, reading: HalfReading, in_line: bool) -> str:
     (y, z), (top_y, top_z) = curve[0], curve[-1]
     if min(y, z) > ON_AXIS * size:
         return f"begins in the air at y {y * scale:.2f} z {z * scale:.2f} m, not on the centre line or the base line"
+    hidden = int(np.argmax(curve[:, 0] > IN_AXIS * size))
+    if hidden > 0 and (risen := float(curve[hidden - 1, 1]) - z) > LONGEST_HIDDEN * size:
+        return (
+            f"runs up the centre line from z {z * scale:.2f} to {(z + risen) * scale:.2f} m, where its own line cannot "
+            "be seen and it may begin at the upper end"
+        )
     decks = list(reading.decks_px)
     if reading.sheer is not None:
         decks += reading.sheer.range_at(float(top_y))

@@ -25,7 +25,7 @@ def crossing_of(inner: Array, outer: Array, frame: DiagonalFrame) -> tuple[float
         frame: of their half.
     """
     size = frame.half_breadth_px
-    (column_a, row_a), (column_b, row_b) = _along_frame(inner, frame), _along_frame(outer, frame)
+    (column_a, row_a), (column_b, row_b) = along_frame(inner, frame), along_frame(outer, frame)
     if len(column_a) < 2 or len(column_b) < 2:
         return None
     start, stop = max(column_a[0], column_b[0]), min(column_a[-1], column_b[-1])
@@ -53,8 +53,8 @@ def crossings(curves: Sequence[Array], frame: DiagonalFrame) -> list[tuple[int, 
     return found
 
 
-def _along_frame(curve: Array, frame: DiagonalFrame) -> tuple[Array, Array]:
-    """(column, row) of the points of a curve that go forward in the frame."""
+def along_frame(curve: Array, frame: DiagonalFrame) -> tuple[Array, Array]:
+    """(column, row) of the points of a curve, (n, 2) [y, z] in px, that go forward in the frame."""
     column, row = frame.from_drawing(curve[:, 0], curve[:, 1])
     forward = column >= np.maximum.accumulate(column)
     return column[forward], row[forward]

@@ -33,7 +33,11 @@ def doubts_of_labels(labels: LabelledHalf, curves: Sequence[Array], assigned: Se
     clear = clear_labels(labels.named, curves)
     agreeing = sum(assigned[station] == curve for station, curve in clear)
     against = sorted(
-        {station for station, curve in clear if assigned[station] not in (curve, NO_CURVE)},
+        {
+            station
+            for station, curve in clear
+            if assigned[station] not in (curve, NO_CURVE) and not _half_read(labels, station, curve, assigned)
+        },
         key=lambda station: labels.inner_first[station],
     )
     if len(against) >= FEWEST_AGAINST and len(against) > agreeing:
@@ -69,6 +73,23 @@ def doubts_of_sides(halves: Sequence[LabelledHalf]) -> list[str]:
     ]
 
 
+def _half_read(labels: LabelledHalf, station: int, curve: int, assigned: Sequence[int]) -> bool:
+    """Whether a label that stands at a curve may be a piece of the name which the curve got: '5' of '15'."""
+    given = [labels.names.of(x) for x, number in zip(labels.inner_first, assigned, strict=True) if number == curve]
+    return _is_piece(labels.names.of(labels.inner_first[station]), _unread(labels, given))
+
+
+def _unread(labels: LabelledHalf, names: Sequence[str]) -> list[str]:
+    """Those of some names that no label is."""
+    read = {same_name(label.text) for label in labels.placed}
+    return [name for name in names if same_name(name) not in read]
+
+
+def _is_piece(text: str, names: Sequence[str]) -> bool:
+    """Whether a text is the beginning or the end of one of some names."""
+    return any(name != text and (name.startswith(text) or name.endswith(text)) for name in names)
+
+
 def _unlisted(labels: LabelledHalf) -> list[str]:
     """Numbers that go on with the half's own numbering but stand in no list."""
     listed = [number_of(name) for name in labels.names.names]
@@ -81,7 +102,9 @@ def _unlisted(labels: LabelledHalf) -> list[str]:
         number = number_of(label.text)
         if number is None or number in numbers or label.confidence < SURELY_READ:
             continue
-        # a piece of a longer number lies outside the half's numbers, or between its steps
+        # a piece of a longer number lies outside the half's numbers, between its steps, or is one that was not read
+        if _is_piece(label.text, _unread(labels, labels.names.names)):
+            continue
         if numbers[0] < number < numbers[-1] and abs(number / step - round(number / step)) < 1e-6:
             found[number] = label.text
     return [found[number] for number in sorted(found)]

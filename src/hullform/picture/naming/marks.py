@@ -83,7 +83,7 @@ def near_curves(
     good = nearest <= FARTHEST * half_breadth_px
     doubts = [
         f"{_named(mark.mark)} lies {100 * distance / half_breadth_px:.0f} % of B/2 from the nearest traced curve; "
-        "it was not used; check its px"
+        "it was not used; check its px, or draw the curve on the review page where the line itself was not traced"
         for mark, distance, fits in zip(marks, nearest, good, strict=True)
         if not fits
     ]
@@ -106,7 +106,8 @@ def unheeded(
         if got != NO_CURVE and row[got] > row[nearest] + APART * half_breadth_px:
             doubts.append(
                 f"{_named(mark.mark)} lies on curve {nearest + 1} from the centre line, but the station got curve "
-                f"{got + 1}; check the mark and {mark.mark.half}_stations_m"
+                f"{got + 1}: one of the two, or the list, is wrong; look at both curves in the overlay, and check "
+                f"{mark.mark.half}_stations_m, this mark and those of its neighbours"
             )
     return doubts
 

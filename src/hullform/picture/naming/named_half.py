@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +31,7 @@ Array = NDArray[np.float64]
 
 FEWEST_CURVES = 3  # of a half: fewer are no body plan
 LOW_CONFIDENCE = 0.5
+CROSSED = 0.6  # confidence in either of two curves that cross: one of them may be the other's
 NEAR_CROSSING = 0.08  # of B/2: what a person says of a crossing holds so far
 
 
@@ -135,8 +136,10 @@ def read_half(
         [(mark.station, loop) for mark, loop in on_loops],
         [_index(inner_first, x) for x, _ in reading.second_contours],
     )
+    doubts_of_crossings, confirmed, crossed = _crossings(reading, inner_first, assigned, names, placed)
+    confidences = [min(c, CROSSED) if n in crossed else c for n, c in enumerate(reading.confidences)]
+    reading = replace(reading, confidences=tuple(confidences))
     stations, unsure = _stations(reading, inner_first, assigned, second, names)
-    doubts_of_crossings, confirmed = _crossings(reading, inner_first, assigned, names, placed)
     notes, doubts_of_sharing = _account(reading, inner_first, assigned, second, names)
     return NamedHalf(
         reading=reading,
@@ -221,24 +224,26 @@ def _crossings(
     assigned: list[int],
     names: StationNames,
     placed: Sequence[Placed],
-) -> tuple[list[str], set[str]]:
-    """Doubts about neighbours that cross, unless a person drew one of them, and who said that they do."""
+) -> tuple[list[str], set[str], set[int]]:
+    """Doubts about neighbours that cross, unless a person drew one; who said that they do; which are in doubt."""
     scale, reach = reading.frame.metres_per_px, NEAR_CROSSING * reading.frame.half_breadth_px
     said = {item.correction.id: item.yz[0] for item in placed if isinstance(item.correction, Crossing)}
     by_hand = {number for number, _ in reading.drawn}
     stations = {number: places[0] for number, places in _by_curve(inner_first, assigned).items()}
     doubts: list[str] = []
     confirmed: set[str] = set()
+    crossed: set[int] = set()
     for inner, outer, y, z in crossings(reading.curves, reading.frame):
         known = inner in stations and outer in stations and not {inner, outer} & by_hand
         here = {id for id, at in said.items() if np.hypot(at[0] - y, at[1] - z) < reach}
         confirmed |= here
         if known and not here:
+            crossed |= {inner, outer}
             doubts.append(
                 f"{names.one(stations[inner])} crosses {names.one(stations[outer])} near y {y * scale:.2f} "
                 f"z {z * scale:.2f} m; look at it in the overlay; where it is drawn so, say 'cross' on the review page"
             )
-    return doubts, confirmed
+    return doubts, confirmed, crossed
 
 
 def _account(

@@ -17,6 +17,8 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 REACH_OF_KEEL_PX = 12.0  # an end so near the centre line or base line is one on it
+END_STRETCHES_PX = (22, 14, 9, 6)  # that show where an end points: the longest that is smooth
+SMOOTH_PX = 0.5  # beside a parabola, root of mean square: the noise of a ridge; a corner leaves more
 DEAREST_ENTRY = 1500.0
 DEAREST_EXIT = 500.0
 COST_OF_END_ON_PAPER = 110.0  # ends below the deck where no ink goes on
@@ -39,7 +41,7 @@ class Ends:
 
     @classmethod
     def of(cls, tracklets: list[Tracklet], last: bool) -> Ends:
-        """The last or the first ends, fitted by a parabola over up to 22 px."""
+        """The last or the first ends, fitted by a parabola over up to 22 px, or less where a corner is nearer."""
         fits = [_end_fit(t.column, t.row, last) for t in tracklets]
         column = np.array([float(t.column[-1 if last else 0]) for t in tracklets])
         return cls(column, np.array([f[0] for f in fits]), np.array([f[1] for f in fits]))
@@ -54,10 +56,13 @@ class Ends:
 
 
 def _end_fit(column: Indices, row: Array, last: bool) -> tuple[float, float]:
-    size = min(len(column), 22)
-    part = slice(-size, None) if last else slice(None, size)
-    x = (column[part] - column[-1 if last else 0]).astype(np.float64)
-    fit = np.polyfit(x, row[part], 1 if size < 14 else 2)
+    for stretch in END_STRETCHES_PX:
+        size = min(len(column), stretch)
+        part = slice(-size, None) if last else slice(None, size)
+        x = (column[part] - column[-1 if last else 0]).astype(np.float64)
+        fit = np.polyfit(x, row[part], 1 if size < 14 else 2)
+        if float(np.sqrt(np.mean((np.polyval(fit, x) - row[part]) ** 2))) < SMOOTH_PX:
+            break
     return float(fit[-1]), float(np.clip(fit[-2], -STEEPEST, STEEPEST))
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.picture.calibrating.lines import Mask
+from hullform.picture.image.ink import Ink
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -19,7 +20,8 @@ COST_OF_MISS = 2.2  # per px by which the two ends, drawn on, miss each other in
 COST_OF_BEND = 28.0  # per unit of slope, or radian, between the two ends
 COST_OF_DETOUR = 22.0  # the same, between an end and the way across the gap
 COST_OF_PAPER = 0.8  # per px of gap where nothing is drawn
-COST_OF_HIDDEN = 0.25  # per px of gap where a long line hides what is drawn
+COST_OF_HIDDEN = 0.25  # per px of gap where a long line or another curve hides what is drawn
+LEAST_COVER = 0.4  # ink that hides a curve
 LARGEST_OVERLAP = 0.012  # of B/2: how far a piece may start before the end of the one that it follows
 LEAST_CORNER = 0.35  # rad: less is a bend
 LARGEST_TURN = 1.75  # rad, at a corner: 100 degrees
@@ -45,18 +47,37 @@ class Tips:
     length: Array
 
 
+@dataclass(frozen=True, eq=False)
+class Cover:
+    """What may hide a curve in the frame: (rows, columns) where long lines lay, and the ink of other curves.
+
+    The ink of a curve hides another one where the two cross or run together, without a break; a label has breaks.
+    """
+
+    mask: Mask
+    ink: Ink
+
+    def hides(self, columns: Array, rows: Array) -> Array:
+        """(gaps,) share of each gap that is hidden, of (gaps, places) in the frame."""
+        column = np.clip(np.round(columns), 0, self.mask.shape[1] - 1).astype(np.int64)
+        row = np.clip(np.round(rows), 0, self.mask.shape[0] - 1).astype(np.int64)
+        line = self.mask[row, column] > 0
+        whole = (line | (self.ink[row, column] > LEAST_COVER)).all(axis=1)
+        return np.where(whole, 1.0, line.mean(axis=1))
+
+
 def unit_vectors(column: Array, row: Array) -> Array:
     """(n, 2) directions of the given vectors."""
     vectors = np.column_stack([column, row])
     return np.asarray(vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-9))
 
 
-def joints(last: Tips, first: Tips, mask: Mask, size: float, scale: float) -> tuple[Indices, Indices, Array]:
+def joints(last: Tips, first: Tips, cover: Cover, size: float, scale: float) -> tuple[Indices, Indices, Array]:
     """Which piece may follow which, and the cost: mismatch in the middle of the gap, bend, gap length; or a corner.
 
     Args:
         last: where pieces end; first: where others start.
-        mask: (rows, columns) where long lines hide what is drawn.
+        cover: what may hide a curve in the frame.
         size: B/2 in px.
         scale: of the costs, by the size of the drawing.
     """
@@ -80,9 +101,9 @@ def joints(last: Tips, first: Tips, mask: Mask, size: float, scale: float) -> tu
     detour = np.where(distance > 6, straight.max(axis=0), turn)
     certain = np.minimum(1.0, np.minimum(last.length[source], first.length[target]) / 12.0)
     steps = np.linspace(0.0, 1.0, 9)
-    columns = np.clip(np.round(last.column[source][:, None] + gap[:, :1] * steps), 0, mask.shape[1] - 1)
-    rows = np.clip(np.round(last.row[source][:, None] + gap[:, 1:] * steps), 0, mask.shape[0] - 1)
-    hidden = np.where(distance > 3, (mask[rows.astype(np.int64), columns.astype(np.int64)] > 0).mean(axis=1), 1.0)
+    columns = last.column[source][:, None] + gap[:, :1] * steps
+    rows = last.row[source][:, None] + gap[:, 1:] * steps
+    hidden = np.where(distance > 3, cover.hides(columns, rows), 1.0)
     span = np.maximum(distance, 1.0)
     cost = COST_OF_MISS * miss / (1 + 0.03 * span) + certain * (COST_OF_BEND * turn + COST_OF_DETOUR * detour)
     cost += span * (COST_OF_PAPER - (COST_OF_PAPER - COST_OF_HIDDEN) * hidden)

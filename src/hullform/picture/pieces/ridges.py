@@ -28,11 +28,16 @@ LARGEST_MISS_PX = 1.3  # between a peak and where its neighbour's slope points
 ALONG, ACROSS = -0.55, -0.3  # db/da beside an upright line: up to one it runs along it, from the other it crosses it
 SHORTEST_PX = 5  # of a tracklet
 JUNCTION_PX = 3.5  # a tracklet that ends so near another one cuts it there
+BESIDE_RIBBON_PX = 1.0  # or so near the edge of the ink of that one, along which it runs
+ALONG_RIBBON = 0.3  # db/da between it and that one: at a larger angle it crosses
+STRETCHES = (slice(None, 12), slice(-12, None))  # points that show where a tracklet's ends head
 USUAL_BOLDNESS = 35.0  # percentile of the ink across the lines that is a station's: merged ones are bolder
 HOOK_PX = 1.2  # beside the continuation of its tracklet, an end that lies so far off is a hook
 HAIR_LINE = 0.5  # of that: a line so thin is no station
 CREST = 0.4  # of full ink, for each line width of depth
 CREST_FROM = 1.9  # line widths inside a ribbon: two lines side by side are 0.9 to 1.4 deep, three 1.2 to 2.1
+OFF_CENTRE, OFF_CENTRE_PX = 0.002, 1.5  # of B/2, at least: how uncertain the place of the centre line is
+BELOW = 0.008  # of B/2: how far below the base line or a dome a curve may lie
 WIDEST_PX = 60  # of a ribbon of merged curves, to either side of a peak
 
 
@@ -145,8 +150,21 @@ def usable(peaks: Peaks, lines: Mask, beside: Mask, frame: DiagonalFrame) -> NDA
         lost |= (((lines[row, peaks.column] & bit) > 0) | shallow) & (angle > ALONG)
     seen = ((lines[row, peaks.column] & BOLD) == 0) & (peaks.strength >= FAINTEST_THROUGH_LINE)
     y, z = frame.to_drawing(peaks.column.astype(np.float64), peaks.row)
-    outside = np.minimum(y, z - frame.bottom_px) < -0.008 * frame.half_breadth_px
-    return np.asarray(~((lost & ~seen) | outside))
+    return np.asarray(~(lost & ~seen) & in_half(y, z, frame))
+
+
+def in_half(y: Array, z: Array, frame: DiagonalFrame) -> NDArray[np.bool_]:
+    """Whether places belong to a half: what lies beyond the centre line is the other half's.
+
+    There curves run close to the centre line too, and would go on where one of this half ends on it.
+
+    Args:
+        y, z: px of the drawing.
+        frame: of the half.
+    """
+    size = frame.half_breadth_px
+    across = max(OFF_CENTRE_PX, OFF_CENTRE * size)
+    return np.asarray((y >= -across) & (z - frame.bottom_px >= -BELOW * size))
 
 
 def find_tracklets(peaks: Peaks) -> list[Tracklet]:
@@ -241,13 +259,19 @@ def _split_at_junctions(chains: list[Tracklet]) -> list[Tracklet]:
     last = np.array([(c.column[-1], c.row[-1]) for c in chains])
     ends = np.vstack([first, last])
     owner = np.tile(np.arange(len(chains)), 2)
+    lean = np.array([np.polyfit(c.column[part], c.row[part], 1)[0] for part in STRETCHES for c in chains])
     pieces = []
     for number, chain in enumerate(chains):
         start, stop = int(chain.column[0]), int(chain.column[-1])
         near = (owner != number) & (ends[:, 0] > start + 3) & (ends[:, 0] < stop - 3)
         at = (ends[near, 0] - start).astype(np.int64)
         cuts = [0]
-        for cut in sorted(set(at[np.abs(chain.row[at] - ends[near, 1]) < JUNCTION_PX].tolist())):
+        beside = ends[near, 1] - chain.row[at]
+        # a curve leaves a ribbon of several at its edge, wide of its axis, and at a small angle
+        outer = np.where(beside > 0, chain.high[at], chain.low[at]) - chain.row[at]
+        along = np.abs(lean[near] - np.gradient(chain.row)[at]) < ALONG_RIBBON
+        met = np.abs(beside) < np.where(along, np.maximum(JUNCTION_PX, np.abs(outer) + BESIDE_RIBBON_PX), JUNCTION_PX)
+        for cut in sorted(set(at[met].tolist())):
             if cut - cuts[-1] >= 3 and len(chain.column) - cut >= 3:
                 cuts.append(cut)
         cuts.append(len(chain.column))

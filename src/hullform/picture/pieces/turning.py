@@ -19,7 +19,7 @@ from hullform.picture.image.ink import Ink
 from hullform.picture.pieces.diagonals import on_diagonals
 from hullform.picture.pieces.ends import Ends
 from hullform.picture.pieces.frame import DiagonalFrame
-from hullform.picture.pieces.ridges import FAINTEST_THROUGH_LINE, Tracklet, find_peaks, find_tracklets
+from hullform.picture.pieces.ridges import FAINTEST_THROUGH_LINE, Tracklet, find_peaks, find_tracklets, in_half
 
 Array = NDArray[np.float64]
 Ceiling = Callable[[Array], Array]
@@ -28,8 +28,9 @@ STEEPEST = 0.8  # da/db: the columns follow what is steeper than 0.45, and a cur
 COVERED_PX = 2.5  # so near a piece of the columns it is that piece
 SHORTEST = 0.008  # of B/2: shorter ones are specks of junctions
 LEVEL = -0.6  # da/db of a walk inboard that rises less than 14 degrees
+LEANING = -0.2  # of one that rises less than 34 degrees: no column follows a steeper one that falls outboard
 LOWEST_LEVEL = 0.1  # of B/2: level lines below are flats of bottom
-HIGHEST_TUNNEL = 0.7  # of the depth: the side of a tunnel lies below the water
+UNDER_WATER = 0.7  # of the depth: there bulbs and tunnels lie
 SHORTEST_OF_TUNNEL = 0.03  # of B/2
 LARGEST_DESCENT = -1.25  # da/db of a walk inboard: so far below level may the top of a bulb fall
 
@@ -102,10 +103,11 @@ def find_turning(
     on_horizontal = lost & ((here & HORIZONTAL) > 0) & (peaks.slope < -0.55)
     y, z = frame.to_drawing(peaks.row, rows - 1.0 - peaks.column)
     leaning = (peaks.slope < STEEPEST) & (peaks.slope > LARGEST_DESCENT)
-    margin = 0.008 * frame.half_breadth_px
-    inside = (y > -margin) & (z > frame.bottom_px - margin) & (z < ceiling(y))
+    inside = in_half(y, z, frame) & (z < ceiling(y))
     # a level line is walked outboard on the columns; the top of a bulb is one that is walked inboard
-    level = (peaks.slope < LEVEL) & (z > LOWEST_LEVEL * frame.half_breadth_px)
+    level = (peaks.slope < np.where(z < UNDER_WATER * depth_px, LEANING, LEVEL)) & (
+        z > LOWEST_LEVEL * frame.half_breadth_px
+    )
     good = leaning & inside & ~on_vertical & ~on_horizontal & (level | (covered[row, column] == 0))
     candidates = np.flatnonzero(good)
     good &= z < ceiling(y)
@@ -123,6 +125,6 @@ def find_turning(
     for piece in pieces:
         _, height = frame.to_drawing(piece.row, rows - 1.0 - piece.column)
         on_column = covered[rows - 1 - piece.column, np.round(piece.row).astype(np.int64)].mean() > 0.5
-        no_tunnel = height.max() > HIGHEST_TUNNEL * depth_px or len(piece.column) < least_of_tunnel
+        no_tunnel = height.max() > UNDER_WATER * depth_px or len(piece.column) < least_of_tunnel
         inboard_only.append(bool(on_column or no_tunnel))
     return Turning(pieces, rows, np.array(inboard_only, dtype=np.bool_))

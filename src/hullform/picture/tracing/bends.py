@@ -8,10 +8,9 @@ from heapq import heapify, heappop, heappush
 import numpy as np
 from numpy.typing import NDArray
 
-from hullform.picture.calibrating.lines import Mask
 from hullform.picture.pieces.ends import DEAREST_ENTRY, DEAREST_EXIT, REACH_OF_KEEL_PX, Ends
 from hullform.picture.pieces.frame import DiagonalFrame
-from hullform.picture.pieces.joints import Tips, joints, unit_vectors
+from hullform.picture.pieces.joints import Cover, Tips, joints, unit_vectors
 from hullform.picture.pieces.ridges import Tracklet
 from hullform.picture.pieces.turning import Turning
 
@@ -46,7 +45,7 @@ def find_bends(
     first: Ends,
     last: Ends,
     turning: Turning,
-    hidden: Mask,
+    cover: Cover,
     frame: DiagonalFrame,
     scale: float,
 ) -> Bends:
@@ -55,7 +54,7 @@ def find_bends(
     Args:
         tracklets: pieces along the frame; first, last: their ends.
         turning: pieces across it.
-        hidden: (rows, columns) of the frame, where long lines lay.
+        cover: what may hide a curve in the frame.
         frame: of the half.
         scale: of the costs, by the size of the drawing.
     """
@@ -78,7 +77,7 @@ def find_bends(
         ((down[1], n + m), (up[0], n)),
         ((up[1], n), (down[0], n + m)),
     ):
-        source, target, cost = joints(out, into, hidden, size, scale)
+        source, target, cost = joints(out, into, cover, size, scale)
         other = source + a - n != target + b - n
         parts.append((source[other] + a, target[other] + b, cost[other]))
     source, target, cost = (np.concatenate([part[k] for part in parts]) for k in range(3))

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,6 +22,7 @@ from hullform.picture.tracing.winding import closed
 
 Array = NDArray[np.float64]
 Deck = Callable[[Array | float], Array]
+Shows = Callable[[Array, Array], NDArray[np.bool_]]
 
 STRETCH = 0.05  # of B/2: the visible stretch that a continuation follows
 FARTHEST = 0.15  # of B/2: no continuation is longer, but along the line that it touched
@@ -38,6 +40,8 @@ BEGUN = 0.33  # dz/dy there
 STEEP_ENOUGH = 0.7  # dz/dy of a curve that is about to join the line of B/2
 OFF_SHEER_PX = 2.0  # where the sheer line is known no better, the end of a curve's own ink says where it is
 LONGEST_STROKE = 0.06  # of B/2: how far ahead of a trace its ink is followed
+FAINTEST_BESIDE = 0.25  # ink that a curve shows beside the centre line which hides its axis
+LARGEST_BREAK_BESIDE = 0.012  # of B/2: in that ink, where another line crosses
 COVER_PX = 14  # ahead of an end: a line of the drawing must lie there, if the curve is to go on unseen
 LARGEST_BREAK_PX = 4  # in a stroke, where a line of the drawing was taken off
 
@@ -51,6 +55,7 @@ def finish(
     depth_px: float | None,
     side_top_px: float | None = None,
     side_steps_px: Sequence[float] = (),
+    width_px: float = 0.0,
 ) -> tuple[Array, Array]:
     """(y, z) of the whole curve in px of the drawing, from keel to deck.
 
@@ -62,13 +67,14 @@ def finish(
         depth_px: height of a level deck line, or None where none is drawn.
         side_top_px: height to which the line of B/2 is drawn, for curves that join it, or None.
         side_steps_px: heights at which curves like this one end on that line, ascending.
+        width_px: thickness of a curve's line.
     """
     column, row = _visible_part(trace, frame)
     y, z = frame.to_drawing(column, row)
     size = frame.half_breadth_px
     if side_top_px is not None:
         side_top_px = _own_top(y, z, size, side_top_px, side_steps_px)
-    y, z = _lower_end(y, z, size)
+    y, z = _lower_end(y, z, size, lambda y, z: _shown(y, z, frame, ink, width_px))
     y, z = _without_level_tail(y, z, size)
     deck_over, reaches = _deck_over(trace, frame, ink, sheer, depth_px)
     y, z = _upper_end(y, z, size, deck_over, reaches, _covered(trace, hidden), side_top_px)
@@ -87,7 +93,7 @@ def _own_top(y: Array, z: Array, size: float, top: float, steps: Sequence[float]
 
 def finish_contour(trace: Trace, frame: DiagonalFrame) -> tuple[Array, Array]:
     """(y, z) of a contour that comes back to the centre line, in px of the drawing, from its lower end."""
-    y, z = _lower_end(*frame.to_drawing(trace.column, trace.row), frame.half_breadth_px)
+    y, z = _lower_end(*frame.to_drawing(trace.column, trace.row), frame.half_breadth_px, lambda y, _: y >= 0)
     return closed(y, z, frame.half_breadth_px)
 
 
@@ -136,7 +142,29 @@ def _continued(t: Array, n: Array, level: float, farthest: float) -> tuple[Array
     return np.asarray(start + s), np.asarray(values)
 
 
-def _lower_end(y: Array, z: Array, size: float) -> tuple[Array, Array]:
+def _shown(y: Array, z: Array, frame: DiagonalFrame, ink: Ink, width_px: float) -> NDArray[np.bool_]:
+    """Whether ink beside the centre line shows a curve whose axis lies at (y, z), hidden by that line.
+
+    A curve that runs into the centre line at a small angle makes it thicker on this side, less and less.
+    """
+    outboard = y[:, None] + np.linspace(0.0, width_px / 2, 5)
+    column, row = frame.from_drawing(outboard, np.broadcast_to(z[:, None], outboard.shape))
+    beside = cv2.remap(ink, column.astype(np.float32), row.astype(np.float32), cv2.INTER_LINEAR)
+    return np.asarray(beside.max(axis=1) > FAINTEST_BESIDE)
+
+
+def _seen_down_to(z: Array, shown: NDArray[np.bool_], largest_break: float) -> int:
+    """From which point on a continuation, whose last point is where the curve was seen, still shows without a break."""
+    lowest, first = z[-1], len(z)
+    for index in range(len(z) - 1, -1, -1):
+        if shown[index]:
+            lowest, first = z[index], index
+        elif lowest - z[index] > largest_break:
+            return first
+    return 0
+
+
+def _lower_end(y: Array, z: Array, size: float, shows: Shows) -> tuple[Array, Array]:
     reach = NEAR_AXIS * size
     if z[0] < -NEAR_KEEL * size:
         return _on_centre_below(y, z, size)
@@ -161,9 +189,14 @@ def _lower_end(y: Array, z: Array, size: float) -> tuple[Array, Array]:
         added_z = np.maximum(np.polynomial.polynomial.polyval(added_y, fit) + step, 0.0)
     else:
         along, across = _continued(z[part], y[part], 0.0, FARTHEST * size)
+        first = _seen_down_to(along, shows(across, along), LARGEST_BREAK_BESIDE * size)
+        along, across = along[first:], across[first:]
         inside = along > 0
         added_y, added_z = np.maximum(across[inside], 0.0), along[inside]
-        if not inside.all():
+        if first > 0:  # it ends in the ink of the centre line, higher than its direction says
+            height = float(added_z[0]) if added_z.size else float(z[0])
+            added_y, added_z = np.append(0.0, added_y), np.append(height, added_z)
+        elif not inside.all():
             added_y, added_z = np.append(0.0, added_y), np.append(0.0, added_z)
     y, z = np.concatenate([added_y, y]), np.concatenate([added_z, z])
     if np.hypot(y[0], z[0]) < NEAR_KEEL * size:

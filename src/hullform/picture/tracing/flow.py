@@ -28,6 +28,7 @@ from hullform.picture.pieces.joints import (
     COST_OF_PAPER,
     DEAREST_LINK,
     LONGEST_GAP,
+    Cover,
 )
 from hullform.picture.pieces.ridges import Tracklet
 from hullform.picture.pieces.turning import NOTHING_TURNS, Turning
@@ -94,7 +95,8 @@ def find_paths(
         return [], 0
     scale = frame.half_breadth_px / REFERENCE_PX
     first, last = Ends.of(tracklets, last=False), Ends.of(tracklets, last=True)
-    links = constraints.of_links(tracklets, *_links(tracklets, first, last, mask, frame, width_px, scale))
+    cover = Cover(mask, ink)
+    links = constraints.of_links(tracklets, *_links(tracklets, first, last, cover, frame, width_px, scale))
     entry = constraints.at_ends(entry_cost(first, mask, frame, scale), [start_of(t) for t in tracklets], scale)
     entry += COST_OF_CURVE * scale
     leave = exit_cost(last, ink, frame, top_px, side_top_px, scale)
@@ -103,7 +105,7 @@ def find_paths(
     share[constraints.shared(tracklets, links)] = 0.0
     marked, called = _marked(tracklets, marks, width_px)
     if turning.pieces:
-        bends = find_bends(tracklets, first, last, turning, mask, frame, scale)
+        bends = find_bends(tracklets, first, last, turning, cover, frame, scale)
         gain, again = _worth(turning.pieces, width_px)
         across = [MarkInFrame(mark.station, mark.row, turning.rows - 1.0 - mark.column) for mark in marks]
         there, called_there = _marked(turning.pieces, across, width_px)
@@ -189,7 +191,7 @@ def _links(
     tracklets: list[Tracklet],
     first: Ends,
     last: Ends,
-    mask: Mask,
+    cover: Cover,
     frame: DiagonalFrame,
     width_px: float,
     scale: float,
@@ -213,9 +215,9 @@ def _links(
     length = np.array([len(t.column) for t in tracklets], dtype=np.float64)
     certain = np.minimum(1.0, np.minimum(length[source], length[target]) / 12.0)
     steps = np.linspace(0.0, 1.0, 9)
-    columns = np.clip(np.round(last.column[source][:, None] + span[:, None] * steps), 0, mask.shape[1] - 1)
-    rows = np.clip(np.round(from_row[:, None] + (to_row - from_row)[:, None] * steps), 0, mask.shape[0] - 1)
-    hidden = np.where(span > 3, (mask[rows.astype(np.int64), columns.astype(np.int64)] > 0).mean(axis=1), 1.0)
+    columns = last.column[source][:, None] + span[:, None] * steps
+    rows = from_row[:, None] + (to_row - from_row)[:, None] * steps
+    hidden = np.where(span > 3, cover.hides(columns, rows), 1.0)
     cost = COST_OF_MISS * miss / (1 + 0.03 * span) + certain * (COST_OF_BEND * bend + COST_OF_DETOUR * detour)
     cost += span * (COST_OF_PAPER - (COST_OF_PAPER - COST_OF_HIDDEN) * hidden)
     # a knuckle: the two extrapolations meet inside the gap

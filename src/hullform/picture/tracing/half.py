@@ -135,7 +135,7 @@ def trace_half(
     for number, (trace, at) in enumerate(zip(traces, corners, strict=True)):
         # where the side thins, stations end; what goes on is the outermost
         own_steps = steps if number < len(traces) - 1 else ()
-        finished = finish(trace, frame, here, prepared.hidden, sheer, level, side_top, own_steps)
+        finished = finish(trace, frame, here, prepared.hidden, sheer, level, side_top, own_steps, prepared.single_px)
         curves.append(evenly(np.column_stack(finished), np.column_stack(frame.to_drawing(at[:, 0], at[:, 1]))))
     confidences = [_confidence(trace) for trace in traces]
     # from the centre line outwards, as the half shows its stations

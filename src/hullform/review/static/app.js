@@ -14,6 +14,8 @@ export class App {
     this.ship = opened.ship;
     this.picture = opened.picture;
     this.reviewFile = opened.review_file;
+    this.revision = opened.revision; // of the review file that this page goes on from
+    this.overwrites = null; // the revision that a save would write over, where that is another
     this.viewport = viewport;
     this.history = new History(opened.review);
     this.reading = opened.reading;
@@ -33,6 +35,7 @@ export class App {
     this.faded = true; // the picture, so that what is drawn over it stands out
     this.gridSpacing = null; // chosen by hand, [across, up] in metres
     this.message = "";
+    this.noticeClosed = ""; // the words of the notice that was closed
     this.listeners = [];
     this.busy = false;
     this.again = false;
@@ -202,14 +205,24 @@ export class App {
 
   async save() {
     const { document } = this.history;
+    this.overwrites = null;
     try {
-      const { file } = await api.save(document);
+      const { file, revision } = await api.save(document, this.revision);
       this.history.markSaved(document);
       this.savedTo = file;
+      this.revision = revision;
       this.unsaved = null;
     } catch (error) {
       this.unsaved = error.message;
+      if (error instanceof api.ChangedMeanwhile) this.overwrites = error.revision;
     }
+    this.noticeClosed = "";
     this.changed();
+  }
+
+  // Saves over what another page or program has saved meanwhile.
+  saveOver() {
+    this.revision = this.overwrites;
+    return this.save();
   }
 }

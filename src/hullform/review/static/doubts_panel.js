@@ -6,11 +6,14 @@ import { showStation } from "./doubtful.js";
 export function drawDoubts(app) {
   const doubts = app.reading?.doubts ?? [];
   byId("doubts-panel").querySelector("h2").textContent = doubts.length ? `Doubts (${doubts.length})` : "Doubts";
+  const count = byId("doubts");
+  count.textContent = app.reading ? `${doubts.length || "No"} doubt${doubts.length === 1 ? "" : "s"}` : "Not read";
+  count.classList.toggle("some", !app.reading || doubts.length > 0);
   const body = byId("doubts-panel").querySelector(".body");
   const notes = app.reading?.notes ?? [];
   redraw(body, [
     doubts.length
-      ? make("ul", { class: "doubts" }, ...doubts.map((words, index) => make("li", {}, entry(app, words, index))))
+      ? make("ul", { class: "doubts", "data-scroll": "doubts", tabindex: "0", "aria-label": "Doubts" }, ...doubts.map((words, index) => make("li", {}, entry(app, words, index))))
       : make(
           "p",
           { class: "quiet" },

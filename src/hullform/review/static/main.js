@@ -124,6 +124,11 @@ function figures({ ship, picture }) {
 
 function wireButtons(app) {
   const buttons = {
+    doubts: () => {
+      const panel = byId("doubts-panel");
+      panel.scrollIntoView({ block: "nearest" });
+      panel.querySelector("ul")?.focus({ preventScroll: true });
+    },
     worst: () => nextDoubtful(app),
     undo: () => app.undo(),
     redo: () => app.redo(),

@@ -54,6 +54,21 @@ function drawHalf(app, half) {
       make("span", { title: "confidence" }, "%"),
     ),
     make("ul", { "data-scroll": half }, ...rows.map((row) => make("li", {}, button(app, half, row, marked)))),
+    sharing(rows),
+  );
+}
+
+// Stations that share a curve were not seen one by one: that they lie in the parallel body is what the list says.
+function sharing(rows) {
+  const shared = rows.filter((row) => row.shared_with_m.length);
+  if (!shared.length) return null;
+  const first = (row) => Math.min(row.x_m, ...row.shared_with_m);
+  const curves = new Set(shared.map(first)).size;
+  const words = curves === 1 ? "one curve" : `${curves} curves`;
+  return make(
+    "p",
+    { class: "sharing", title: "Stations of a parallel body are drawn as one curve. Are these in it?" },
+    `= ${shared.length} stations share ${words}`,
   );
 }
 

@@ -22,38 +22,41 @@ export function drawStatus(app) {
       : "";
 }
 
+// A reading that failed is told until one succeeds, whatever is saved meanwhile.
 export function drawNotice(app) {
   const notice = byId("notice");
   const { failure, unsaved, savedTo } = app;
-  notice.className = failure || unsaved ? "bad" : "good";
-  const refused = failure
-    ? [
-        make(
-          "strong",
-          {},
-          app.reading ? "This was refused; what you see is the reading before it. " : "Nothing could be read yet. ",
-        ),
-        failure,
-        " ",
-      ]
-    : [];
-  const lost = unsaved ? [make("strong", {}, "Not saved. "), unsaved] : [];
-  const words = failure || unsaved
-    ? [...refused, ...lost]
-    : savedTo && !app.history.changed
-      ? [
-          make("strong", {}, "Saved "),
-          make("code", {}, savedTo),
-          ". Every command reads it now: ",
-          make("code", {}, `hullform run ${app.ship.file}`),
-        ]
-      : [];
-  notice.hidden = !words.length;
+  const parts = [];
+  if (failure) {
+    const before = app.reading ? "This was refused; what you see is the reading before it. " : "Nothing could be read yet. ";
+    parts.push(make("p", {}, make("strong", {}, before), failure));
+  }
+  if (unsaved) {
+    const over = app.overwrites
+      ? make("button", { class: "small", id: "save-over", onclick: () => app.saveOver() }, "Save over it")
+      : null;
+    parts.push(make("p", {}, make("strong", {}, "Not saved. "), unsaved, " ", over));
+  } else if (savedTo && !app.history.changed) {
+    const then = failure
+      ? [". The commands read it now, and refuse it as this page does."]
+      : [". Every command reads it now: ", make("code", {}, `hullform run ${app.ship.file}`)];
+    parts.push(make("p", {}, make("strong", {}, "Saved "), make("code", {}, savedTo), ...then));
+  }
+  const words = parts.map((part) => part.textContent).join(" ");
+  notice.hidden = !words || words === app.noticeClosed;
   if (notice.hidden) return;
+  notice.className = failure || unsaved ? "bad" : "good";
   const close = make(
     "button",
-    { class: "small", "aria-label": "Close this notice", onclick: () => (notice.hidden = true) },
+    {
+      class: "small",
+      "aria-label": "Close this notice",
+      onclick: () => {
+        app.noticeClosed = words;
+        notice.hidden = true;
+      },
+    },
     "×",
   );
-  notice.replaceChildren(make("span", {}, ...words), close);
+  notice.replaceChildren(make("div", {}, ...parts), close);
 }
