@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 OFF_CENTRE = 0.06  # of the horizontal lines' length: how far the centre line may lie from their middle
 WHOLE_LINE = 0.75  # of the longest horizontal line: shorter ones may belong to one half
 BOTH_SIDES = 0.35  # of a horizontal line's length that must lie on either side of the centre line
+PAST_CENTRE = 0.05  # of the centre line's length: how far below its end the base line may lie, where a gap ends it
 LARGEST_AFFINE_RESIDUAL_PX = 0.6  # of the crossings of a flat scan
 FEWEST_LINES = 4  # of each family, for a homography
 LEAST_CONVERGENCE = 0.0008  # change of slope over a family: less is how lines are pulled by curves on them
@@ -206,12 +207,18 @@ def _base_line(
     breadth_m: float,
     skew: float,
 ) -> StraightLine | None:
-    """The lowest bold line of those with a whole depth of drawing above them; the lowest line where none is bold."""
+    """The lowest bold line of those with a whole depth of drawing above them; the lowest line where none is bold.
+
+    The centre line reaches it: the border of a sheet or of its title block lies lower.
+    """
     wide = []
     for line in horizontal:
         u = float(crossing(centre, line)[0]) if centre is not None else float(u0 or 0.0)
         if min(u - line.start, line.end - u) >= BOTH_SIDES * line.length:
             wide.append((line, u))
+    if centre is not None:
+        foot = centre.end + PAST_CENTRE * centre.length
+        wide = [(line, u) for line, u in wide if float(line.at(u)) < foot] or wide
     if not wide:
         return None
     lowest, u = max(wide, key=lambda pair: float(pair[0].at(pair[1])))
@@ -243,7 +250,8 @@ def _side_px(
         distances = [
             sign * ((crossing(line, base)[0] if base else float(line.at(origin[1]))) - origin[0]) for line in vertical
         ]
-        near += [d for d in distances if abs(d - rough_px) < 6]
+        # of two that lie side by side the inner one is a station
+        near += sorted(d for d in distances if abs(d - rough_px) < 6)[-1:]
     if near:
         return float(np.mean(near))
     # axis of the outermost upright ink: the centroid of the outermost run of each row, its outer twentieth
@@ -335,7 +343,7 @@ def _frame(
     heights, buttocks = np.array(levels_m), np.array([-breadth_m / 2, breadth_m / 2])
     if grid is not None:
         heights = np.append(heights, _teeth(grid.up) * grid.up_m)
-        buttocks = np.append(buttocks, _teeth(grid.across) * grid.across_m)
+        buttocks = np.append(buttocks, _teeth(grid.across, both_sides=True) * grid.across_m)
     vertical = [*vertical, *expected_lines(ink, calibration, buttocks.tolist(), vertical, vertical=True)]
     hull = [
         line
@@ -361,9 +369,11 @@ def _on_tooth(height_px: float, grid: Grid) -> bool:
     return tooth != 0 and abs(height_px - tooth * grid.up.spacing_px) < ON_LEVEL_PX
 
 
-def _teeth(comb: Comb) -> Array:
-    """All multiples between the outermost members of a comb."""
+def _teeth(comb: Comb, both_sides: bool = False) -> Array:
+    """All multiples between the outermost members of a comb; of one about the centre line, alike on both sides."""
     members = comb.multiples[comb.members]
+    if both_sides:
+        members = np.concatenate([members, -members])
     return np.arange(int(members.min()), int(members.max()) + 1).astype(np.float64)
 
 

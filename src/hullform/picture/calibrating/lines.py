@@ -29,11 +29,15 @@ LARGEST_PULL = 0.005  # of a line's slope by curves that lie on it
 PULLED_PX = 2.5  # of its place
 LARGEST_CONVERGENCE = 0.06  # change of slope of a family across the picture, where a camera leaned
 CONVERGENCE_STEP = 0.002  # between the slopes at which such a family is looked for
+PLACED = 1e-7  # of slope: less is that of a line that was placed
+SHARE_OF_TURNED = 0.5  # of a line's length, that speaks for a parallel family it does not lie in by itself
 CONVERGENCE_GAIN = 0.8  # lines more, that a convergent family must hold to be believed
+SAME_LINE, SAME_LINE_PX = 1.2, 1.5  # widths and px more between two axes, up to which they are those of one line
 MUCH_LONGER = 1.5  # than a neighbour: a line across both halves beside one of a single half
 BORDER_TOLERANCE = 0.015  # of the picture's width: how nearly the lines of a border meet
 FEWEST_INSIDE = 3  # upright lines, beside which two longer ones may be a border
 BORDER_LONGER = 1.03  # than any other line of its family
+LEAST_DRAWN = 30.0  # percentile
 VERTICAL, HORIZONTAL, BOLD = 1, 2, 4  # bits of the mask
 FAINT_LINE = 0.6  # ink of a line's axis: through a fainter one the curves that cross it can be seen
 
@@ -104,11 +108,22 @@ def find_lines_and_border(ink: Ink) -> tuple[list[StraightLine], list[StraightLi
         parallel = _refined(ink, [(offset, mean) for offset in found], vertical, shrink)
         fan = _fan(along.astype(np.float64), across.astype(np.float64), mean, side)
         # a camera that leaned shows lines that converge; a scanner does not, and there curves that look straight do
-        convergent = _convergent(_refined(ink, fan, vertical, shrink), mean, width if vertical else height)
-        parallel = _one_each(_levelled(ink, parallel, mean), 4 * shrink)
+        size = width if vertical else height
+        fanned = _refined(ink, fan, vertical, shrink)
+        trend = _convergent(fanned, mean, size)
+        parallel = _one_each(_levelled(ink, parallel, (mean, 0.0), size, LARGEST_SLOPE_SPREAD), 4 * shrink)
+        convergent = [] if trend is None else _levelled(ink, fanned, trend, size, LARGEST_SLOPE_SPREAD / 2)
         convergent = _one_each(convergent, 4 * shrink)
-        # pieces of curves and letters speak for neither
-        drawn = [sum(line.length for line in _family(family, 4 * shrink)) for family in (parallel, convergent)]
+        # pieces of curves and letters speak for neither. An upright line that had to be turned speaks little for its
+        # family; level ones may be flats of bottom of two halves at different heights, which only look askew
+        share = SHARE_OF_TURNED if vertical else 1.0
+        drawn = [
+            sum(
+                line.length * (1.0 if _turned_little(line, slopes, size) else share)
+                for line in _family(lines, 4 * shrink)
+            )
+            for lines, slopes in ((parallel, (mean, 0.0)), (convergent, trend or (mean, 0.0)))
+        ]
         typical = float(np.median([line.length for line in convergent])) if convergent else 0.0
         families.append(convergent if drawn[1] > drawn[0] + CONVERGENCE_GAIN * typical else parallel)
     horizontal, vertical_ = _without_border(families[0], families[1], width)
@@ -126,19 +141,40 @@ def _refined(ink: Ink, found: list[tuple[float, float]], vertical: bool, shrink:
     return [line for line in lines if line is not None]
 
 
-def _levelled(ink: Ink, lines: list[StraightLine], mean: float) -> list[StraightLine]:
-    """The lines of one slope; what curves that lie on a line pulled askew is placed anew along that slope."""
+def _levelled(
+    ink: Ink, lines: list[StraightLine], trend: tuple[float, float], size: float, spread: float
+) -> list[StraightLine]:
+    """The lines of a family; what curves that lie on a line pulled askew is placed anew along the family's slope.
+
+    Args:
+        ink: (rows, columns) map of ink.
+        lines: that were found.
+        trend: slope of the family at place 0, and its change up to the far side of the picture.
+        size: of the picture across the family, px.
+        spread: of slopes that are the family's own.
+    """
     out = []
     for line in lines:
-        turned = abs(line.slope - mean)
-        if turned < LARGEST_SLOPE_SPREAD:
+        slope = _slope_there(line, trend, size)
+        turned = abs(line.slope - slope)
+        if turned < spread:
             out.append(line)
         elif turned < LARGEST_PULL:
             t = 0.5 * (line.start + line.end)
-            again = refine_line(ink, float(line.at(t)) - mean * t, mean, line.vertical, PULLED_PX, turns=False)
+            again = refine_line(ink, float(line.at(t)) - slope * t, slope, line.vertical, PULLED_PX, turns=False)
             if again is not None:
                 out.append(again)
     return out
+
+
+def _slope_there(line: StraightLine, trend: tuple[float, float], size: float) -> float:
+    return trend[0] + trend[1] * float(line.at((line.start + line.end) / 2)) / size
+
+
+def _turned_little(line: StraightLine, trend: tuple[float, float], size: float) -> bool:
+    """Whether a line was found at about the slope of its family, rather than placed along it."""
+    turned = abs(line.slope - _slope_there(line, trend, size))
+    return PLACED < turned < LARGEST_SLOPE_SPREAD / 2
 
 
 def _fan(along: Array, across: Array, mean: float, side: int) -> list[tuple[float, float]]:
@@ -155,24 +191,24 @@ def _fan(along: Array, across: Array, mean: float, side: int) -> list[tuple[floa
     return [(offset, slope) for _, _, offset, slope in kept[:MOST_CANDIDATES]]
 
 
-def _convergent(lines: list[StraightLine], mean: float, size: float) -> list[StraightLine]:
-    """The largest set of lines whose slope changes evenly from place to place: slope = c0 + c1 n."""
+def _convergent(lines: list[StraightLine], mean: float, size: float) -> tuple[float, float] | None:
+    """Slope c0 and change c1 of the largest set of lines whose slope changes evenly: c0 + c1 n; None without one."""
     if len(lines) < 3:
-        return []
+        return None
     place = np.array([float(line.at((line.start + line.end) / 2)) / size for line in lines])
     slope = np.array([line.slope for line in lines])
     length = np.array([line.length for line in lines])
-    best: tuple[float, NDArray[np.bool_]] = (0.0, np.zeros(len(lines), dtype=np.bool_))
+    best: tuple[float, tuple[float, float] | None] = (0.0, None)
     for i, j in itertools.combinations(range(len(lines)), 2):
         if abs(place[i] - place[j]) < 0.1:
             continue
-        change = (slope[j] - slope[i]) / (place[j] - place[i])
+        change = float((slope[j] - slope[i]) / (place[j] - place[i]))
         if abs(change) > LARGEST_CONVERGENCE:
             continue
         near = np.abs(slope - slope[i] - change * (place - place[i])) < LARGEST_SLOPE_SPREAD / 2
         if length[near].sum() > best[0]:
-            best = (float(length[near].sum()), near)
-    return [line for line, chosen in zip(lines, best[1], strict=True) if chosen]
+            best = (float(length[near].sum()), (float(slope[i] - change * place[i]), change))
+    return best[1]
 
 
 def _without_border(
@@ -313,7 +349,9 @@ def refine_line(
         return None
     on_line = np.zeros_like(present)
     on_line[run[0] : run[1]] = True
-    profile = _unimodal(np.median(section[present & on_line], axis=0), middle)
+    # stations run along a ship's side for a part of its height: its own ink is where least is drawn
+    usual = LEAST_DRAWN if vertical else 50.0
+    profile = _unimodal(np.percentile(section[present & on_line], usual, axis=0), middle)
     width = 0.5 * float(np.sum(profile > 0.4 * profile.max()))
     return StraightLine(vertical, offset, slope, float(t[run[0]]), float(t[run[1] - 1]), width, reach, profile)
 
@@ -350,8 +388,19 @@ def _family(lines: list[StraightLine], nearest: float) -> list[StraightLine]:
     """Keep the long lines, one for each place, sorted across."""
     if not lines:
         return []
-    longest = float(np.median(np.sort([line.length for line in lines])[-3:]))
+    lengths = np.sort([line.length for line in _inside_border(lines)])
+    longest = float(np.median(lengths[-3:]))
     return _one_each([line for line in lines if line.length >= LEAST_FAMILY_LENGTH * longest], nearest)
+
+
+def _inside_border(lines: list[StraightLine]) -> list[StraightLine]:
+    """The lines without the two outermost, where these are longer than all others: a border, whole or not."""
+    first, last = _outermost(lines)
+    inner = [line for line in lines if line is not first and line is not last]
+    border = len(inner) >= FEWEST_INSIDE and (
+        min(first.length, last.length) > BORDER_LONGER * max(line.length for line in inner)
+    )
+    return inner if border else lines
 
 
 def _one_each(lines: list[StraightLine], nearest: float) -> list[StraightLine]:
@@ -359,7 +408,9 @@ def _one_each(lines: list[StraightLine], nearest: float) -> list[StraightLine]:
     kept: list[StraightLine] = []
     for line in sorted(lines, key=lambda x: float(x.at((x.start + x.end) / 2))):
         t = (line.start + line.end) / 2
-        if kept and abs(float(line.at(t)) - float(kept[-1].at(t))) < nearest:
+        # two lines with paper between them are two, however near
+        apart = min(nearest, SAME_LINE * (line.width + kept[-1].width) / 2 + SAME_LINE_PX) if kept else 0.0
+        if kept and abs(float(line.at(t)) - float(kept[-1].at(t))) < apart:
             # a flat of bottom is bolder than the waterline beside it, but ends at the centre line
             longer = line.length / kept[-1].length
             bolder = line.weight * line.length > kept[-1].weight * kept[-1].length

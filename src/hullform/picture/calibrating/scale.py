@@ -19,9 +19,11 @@ AXES_TOLERANCE = 0.004  # between the scales of the two families of a grid
 AXES_TOLERANCE_LEANING = 0.012  # the same where the camera leaned
 COMB_TOLERANCE_PX = 1.5  # how far a grid line may lie from its multiple
 FEWEST_TEETH = 3  # different multiples, zero included, that make a grid: the two sides alone are the ship's
+FULL, LEAST_FULL = 0.6, 0.45  # share of the teeth up to the last that are there
 LEAST_HALF_BREADTH = 0.05  # of the picture's width: less is the centre line itself
 LEAST_SIDE = 0.05  # of the height above the base line: upright ink that counts as a ship's side
-HIGHEST_FIGURE = 0.014  # of the picture's width: figures beside the waterlines may touch them
+HIGHEST_FIGURE = 0.024  # of the picture's width: figures beside the waterlines may touch them, in two rows
+BREAK_OF_SIDE = 0.003  # of the picture's width: of dashes, and of lost ink
 SIDE_WINDOW = 0.004  # of the picture's width: how far a ship's side may lean within that
 
 
@@ -56,9 +58,13 @@ def outermost_half_breadth(
         return None
     reach = max(1, round(SIDE_WINDOW * columns))
     near = cv2.dilate(body.astype(np.uint8), np.ones((1, 2 * reach + 1), np.uint8))
-    # a horizontal line fills many columns but few rows; a ship's side fills many rows
+    # a horizontal line fills few rows, and so does each of the figures that stand above each other at its end; a ship's
+    # side fills many in one stroke
     height = float(np.ptp(np.flatnonzero(body.any(axis=1)))) + 1
-    sides = np.flatnonzero(near.sum(axis=0) >= max(LEAST_SIDE * height, HIGHEST_FIGURE * columns))
+    stroke = round(max(LEAST_SIDE * height, HIGHEST_FIGURE * columns))
+    for operation, rows in ((cv2.MORPH_CLOSE, max(1, round(BREAK_OF_SIDE * columns))), (cv2.MORPH_OPEN, stroke)):
+        near = cv2.morphologyEx(near, operation, np.ones((rows, 1), np.uint8))
+    sides = np.flatnonzero(near.any(axis=0))
     if sides.size == 0:
         return None
     # the window widens the body by its reach on either side
@@ -94,9 +100,11 @@ def find_combs(distances: Array, largest: int = 40) -> list[Comb]:
         multiples = np.round(distances / fine).astype(np.int64)
         members = np.abs(distances - multiples * fine) < COMB_TOLERANCE_PX
         teeth = multiples[members]
-        # teeth that are missing inside the range speak for a multiple of this spacing
-        full = len(set(np.abs(teeth))) / (np.abs(teeth).max() + 1) if teeth.size else 0
-        if len(set(np.abs(teeth))) >= FEWEST_TEETH and full >= 0.6:
+        different = len(set(np.abs(teeth)))
+        # teeth that are missing inside the range speak for a multiple of this spacing, where they have one
+        full = different / (np.abs(teeth).max() + 1) if teeth.size else 0
+        no_multiple = full >= LEAST_FULL and different > FEWEST_TEETH and np.gcd.reduce(teeth) == 1
+        if different >= FEWEST_TEETH and (full >= FULL or no_multiple):
             combs.append(Comb(fine, multiples, members))
     return sorted(combs, key=lambda comb: -_regularity(comb))[:12]
 

@@ -23,7 +23,9 @@ ENDS_AT_DEPTH = (
     0.25  # of the curves that end near the side: so many amidships end at the depth, others with sheer above
 )
 HOPELESS = 0.85  # least ratio of the scales of breadth and depth, either way
+NEAR_PX = 3  # by which ink is widened: the end of a curve points aside by so much
 RUNS_ON = (0.02, 0.06)  # of B/2: where ink beyond the end of a curve means that the curve goes on
+BESIDE_STROKE = 0.013  # of B/2: so far beside a curve that goes on there is paper, beside the middle of figures ink
 SIDE_WINDOW = 0.08  # of B/2: the stretch of the line of the side that must be drawn for the most part
 HIGHEST_KEEL = 0.04  # of D: of the midship section
 TRACED_BELOW = 0.012  # of B/2 below the base line: nearer to it flat bottoms waver
@@ -96,7 +98,7 @@ def doubts_of_scale(
     tops_m = [top * scale for top in sides if top is not None] or [
         max(float(curve[-1, 1]) for curve in near_side or [curve for curve, _ in curves]) * scale
     ]
-    near = np.asarray(cv2.dilate(bare, np.ones((7, 7), np.uint8)), dtype=np.float32)
+    near = np.asarray(cv2.dilate(bare, np.ones((2 * NEAR_PX + 1,) * 2, np.uint8)), dtype=np.float32)
     # those that run up the line of B/2 are taken to the depth by its meaning, and along it others go on with sheer
     off_side = [(c, r) for c, r in curves if c[-1, 0] < ON_SIDE * r.frame.half_breadth_px]
     beyond = [_runs_on(curve, reading, near) for curve, reading in off_side or curves]
@@ -228,13 +230,23 @@ def _top_of_side(reading: HalfReading, ink: Ink) -> float | None:
 
 
 def _runs_on(curve: Array, reading: HalfReading, near: Ink) -> bool:
-    """Whether ink, widened by some pixels, goes on in the direction in which a curve ends."""
+    """Whether a stroke goes on in the direction in which a curve ends; figures that stand there are wider.
+
+    Args:
+        curve: (n, 2) [y, z].
+        reading: of its half.
+        near: (rows, columns) ink of the picture, widened by some pixels.
+    """
     size = reading.frame.half_breadth_px
     farther = curve[np.hypot(*(curve - curve[-1]).T) > 0.03 * size]
     if not farther.size:
         return False
-    behind = curve[-1] - farther[-1]
-    ahead = np.linspace(*RUNS_ON, 40)[:, None] * size * behind / np.hypot(*behind) + curve[-1]
-    u, v = reading.frame.to_picture(ahead[:, 0], ahead[:, 1])
-    seen = cv2.remap(near, u.astype(np.float32)[None], v.astype(np.float32)[None], cv2.INTER_NEAREST)
-    return bool((seen > 0.3).mean() > 0.8)
+    heading = (curve[-1] - farther[-1]) / np.hypot(*(curve[-1] - farther[-1]))
+    ahead = np.linspace(*RUNS_ON, 40)[:, None] * size * heading + curve[-1]
+    beside = max(BESIDE_STROKE * size, NEAR_PX + EDGE_PX) * np.array([-heading[1], heading[0]])
+    seen = []
+    for offset in (0.0, 1.0, -1.0):
+        u, v = reading.frame.to_picture(*(ahead + offset * beside).T)
+        ink = cv2.remap(near, u.astype(np.float32)[None], v.astype(np.float32)[None], cv2.INTER_NEAREST)
+        seen.append(float((ink > 0.3).mean()))
+    return seen[0] > 0.8 and min(seen[1:]) < 0.5

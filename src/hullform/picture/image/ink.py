@@ -19,6 +19,8 @@ LEAST_INK_SHARE = 1e-4  # of the pixels: a body plan has 1 % and more
 LEAST_DRAWING = 0.4  # of the picture's width
 BOX_OF_PIECE = (cv2.CC_STAT_LEFT, cv2.CC_STAT_TOP, cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT)
 EMPTY_OF_BORDER = (0.3, 0.7)  # of its breadth and height: a title block in its corner does not reach there
+STRIP_OF_BORDER = 0.1  # of its breadth and height: in it lies a side of a border, turned by a scanner or not
+MOST_OF_SIDE = 0.6  # that a border runs along
 MOST_INK_SHARE = 0.4  # of the pixels: beyond it the picture is a photograph or a negative
 
 
@@ -75,7 +77,8 @@ def ink_of(grey: Picture, name: str = "the picture") -> Ink:
 def _borders(labels: NDArray[np.int32], statistics: NDArray[np.int32], width: int) -> NDArray[np.bool_]:
     """Which connected pieces (one a row) go round a drawing without touching it: the border of the sheet.
 
-    Nothing of a border lies in the middle of what it goes round; of a drawing that a scan has torn apart much does.
+    It runs along all four sides of what it goes round, and nothing of it lies in the middle; of a drawing that a scan
+    has torn apart much does, or no line closes it above.
     """
     left, top, wide, high = (statistics[:, k] for k in BOX_OF_PIECE)
     right, bottom = left + wide, top + high
@@ -88,5 +91,13 @@ def _borders(labels: NDArray[np.int32], statistics: NDArray[np.int32], width: in
             slice(round(start + EMPTY_OF_BORDER[0] * size), round(start + EMPTY_OF_BORDER[1] * size))
             for start, size in ((top[n], high[n]), (left[n], wide[n]))
         )
-        border[n] = bool((inside & (bottom[large] < bottom[n])).any()) and not (labels[rows, columns] == n).any()
+        goes_round = bool((inside & (bottom[large] < bottom[n])).any()) and not (labels[rows, columns] == n).any()
+        border[n] = goes_round and _runs_round(labels[top[n] : bottom[n], left[n] : right[n]] == n)
     return border
+
+
+def _runs_round(piece: NDArray[np.bool_]) -> bool:
+    """Whether a piece runs along most of each side of its box."""
+    rows, columns = (max(1, round(STRIP_OF_BORDER * size)) for size in piece.shape)
+    strips = (piece[:rows], piece[-rows:], piece[:, :columns].T, piece[:, -columns:].T)
+    return all(bool(strip.any(axis=0).mean() > MOST_OF_SIDE) for strip in strips)

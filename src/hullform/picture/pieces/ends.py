@@ -25,6 +25,12 @@ COST_OF_END_ON_PAPER = 110.0  # ends below the deck where no ink goes on
 COST_OF_END_ON_INK = 1200.0  # more, for ink ahead
 COST_AT_SIDE = 12.0  # ends in the line of B/2, which goes on to the deck
 GAIN_OF_SIDE = 25.0  # ends where it joins the line of B/2, of which it is a part from there on
+GAIN_OF_FLAT = 25.0  # begins where it leaves the base line, of which it is a part up to there
+COST_ON_LEVEL = 10.0  # begins level where a waterline hides what comes before
+LEVEL = 0.6  # db/da of a curve within 14 degrees of level
+BEFORE_PX = 6.0
+LEAST_TURN = 0.5  # of db/da, of a bilge from its flat to its side: 27 degrees
+LEAST_FLAT = 0.5  # of B/2
 STEEPEST = 2.2  # db/da of a curve: tumblehome of 20 degrees
 CLOSE_TO_SIDE = 0.975  # of B/2: the mask of the line of B/2 hides the rest of a bilge of small radius
 BENDING_UP = 0.5  # db/da of a curve that has begun to rise, by 18 degrees
@@ -42,7 +48,7 @@ class Ends:
     @classmethod
     def of(cls, tracklets: list[Tracklet], last: bool) -> Ends:
         """The last or the first ends, fitted by a parabola over up to 22 px, or less where a corner is nearer."""
-        fits = [_end_fit(t.column, t.row, last) for t in tracklets]
+        fits = [end_fit(t.column, t.row, last) for t in tracklets]
         column = np.array([float(t.column[-1 if last else 0]) for t in tracklets])
         return cls(column, np.array([f[0] for f in fits]), np.array([f[1] for f in fits]))
 
@@ -55,7 +61,8 @@ class Ends:
         )
 
 
-def _end_fit(column: Indices, row: Array, last: bool) -> tuple[float, float]:
+def end_fit(column: Indices | Array, row: Array, last: bool) -> tuple[float, float]:
+    """Row and slope at the last or the first end of a run of columns, over the longest stretch that is smooth."""
     for stretch in END_STRETCHES_PX:
         size = min(len(column), stretch)
         part = slice(-size, None) if last else slice(None, size)
@@ -66,12 +73,29 @@ def _end_fit(column: Indices, row: Array, last: bool) -> tuple[float, float]:
     return float(fit[-1]), float(np.clip(fit[-2], -STEEPEST, STEEPEST))
 
 
-def entry_cost(first: Ends, mask: Mask, frame: DiagonalFrame, scale: float) -> Array:
-    """Little at the centre line and the base line, then by the distance from them."""
+def entry_cost(first: Ends, last: Ends, mask: Mask, frame: DiagonalFrame, scale: float) -> Array:
+    """Little at the centre line and the base line, then by the distance from them.
+
+    A bilge that begins on the base line gains for the flat of bottom that lies on that line unseen.
+    """
     y, z = frame.to_drawing(first.column, first.row)
     away = np.minimum(np.abs(y), np.abs(z))
     reach = np.maximum(REACH_OF_KEEL_PX * scale, _half_of_base(mask, frame) + 0.6 * REACH_OF_KEEL_PX * scale)
-    return np.where(away < reach, 0.3 * away, np.minimum(3 + 4 * (away - reach), DEAREST_ENTRY * scale))
+    cost = np.where(away < reach, 0.3 * away, np.minimum(3 + 4 * (away - reach), DEAREST_ENTRY * scale))
+    on_flat = (y > LEAST_FLAT * frame.half_breadth_px) & (z < reach)
+    cost = np.where(on_flat, cost - GAIN_OF_FLAT * scale, cost)
+    # likewise one that begins level on a waterline, of a raked end; what goes on as it began only crosses that line
+    bilge = (y > LEAST_FLAT * frame.half_breadth_px) & (first.slope - last.slope > LEAST_TURN)
+    on_level = bilge & begins_on_level_line(first, mask)
+    return np.where(on_level, np.minimum(cost, COST_ON_LEVEL * scale), cost)
+
+
+def begins_on_level_line(ends: Ends, mask: Mask) -> NDArray[np.bool_]:
+    """Whether curves begin level where a level line of the drawing lies before them, which may hide what they were."""
+    before = np.arange(0.0, BEFORE_PX)[:, None]
+    column = np.clip(np.round(ends.column - before), 0, mask.shape[1] - 1).astype(np.int64)
+    row = np.clip(np.round(ends.row - ends.slope * before), 0, mask.shape[0] - 1).astype(np.int64)
+    return np.asarray((ends.slope > LEVEL) & ((mask[row, column] & HORIZONTAL > 0).mean(axis=0) > 0.5))
 
 
 def _half_of_base(mask: Mask, frame: DiagonalFrame) -> float:

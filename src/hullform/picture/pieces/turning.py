@@ -31,6 +31,10 @@ LEVEL = -0.6  # da/db of a walk inboard that rises less than 14 degrees
 LEANING = -0.2  # of one that rises less than 34 degrees: no column follows a steeper one that falls outboard
 LOWEST_LEVEL = 0.1  # of B/2: level lines below are flats of bottom
 UNDER_WATER = 0.7  # of the depth: there bulbs and tunnels lie
+WIDEST_BULB = 0.4  # of B/2
+FLAT_BEYOND = (0.4, 0.6)  # of B/2: where a level line that is no top of a bulb goes on
+MOSTLY = 0.6  # of that stretch is drawn, figures and lines that were taken off left aside
+LEVEL_WITHIN_PX = 3
 SHORTEST_OF_TUNNEL = 0.03  # of B/2
 LARGEST_DESCENT = -1.25  # da/db of a walk inboard: so far below level may the top of a bulb fall
 
@@ -108,6 +112,9 @@ def find_turning(
     level = (peaks.slope < np.where(z < UNDER_WATER * depth_px, LEANING, LEVEL)) & (
         z > LOWEST_LEVEL * frame.half_breadth_px
     )
+    # that of a bulb lies near the centre line; a flat of bottom, at whatever height, goes on to the bilge
+    level &= y < WIDEST_BULB * frame.half_breadth_px
+    level[level] &= ~_goes_on(ink, frame, z[level])
     good = leaning & inside & ~on_vertical & ~on_horizontal & (level | (covered[row, column] == 0))
     candidates = np.flatnonzero(good)
     good &= z < ceiling(y)
@@ -128,3 +135,14 @@ def find_turning(
         no_tunnel = height.max() > UNDER_WATER * depth_px or len(piece.column) < least_of_tunnel
         inboard_only.append(bool(on_column or no_tunnel))
     return Turning(pieces, rows, np.array(inboard_only, dtype=np.bool_))
+
+
+def _goes_on(ink: Ink, frame: DiagonalFrame, z: Array) -> NDArray[np.bool_]:
+    """Whether level lines at heights z go on far outboard."""
+    y = np.arange(FLAT_BEYOND[0] * frame.half_breadth_px, FLAT_BEYOND[1] * frame.half_breadth_px)
+    heights = np.arange(0.0, max(frame.top_px, 1.0))
+    column, row = frame.from_drawing(*np.meshgrid(y, heights))
+    drawn = cv2.remap(ink, column.astype(np.float32), row.astype(np.float32), cv2.INTER_LINEAR, borderValue=0)
+    near = cv2.dilate((drawn > FAINTEST_THROUGH_LINE).astype(np.uint8), np.ones((2 * LEVEL_WITHIN_PX + 1, 1), np.uint8))
+    share = near.mean(axis=1)
+    return np.asarray(share[np.clip(np.round(z).astype(np.int64), 0, len(share) - 1)] > MOSTLY)

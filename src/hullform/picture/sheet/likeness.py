@@ -26,11 +26,14 @@ GAP = 0.004  # of the picture's width: what a line that was taken off leaves in 
 FEWEST_ROWS = 4  # lines of each family that make a table
 MUCH_WIDER = 1.6  # than B / D: a body plan with a high bow is narrower, one with margins little wider
 MUCH_NARROWER = 0.5
-EDGE_BLUR_PX, ORIENTATION_BLUR_PX = 1.5, 3.0
+EDGE_BLUR_PX = 1.5
+ORIENTATION_BLUR = 0.008  # of B/2: over which the corners of lines that were cut off, which lean both ways, cancel out
 RISING = 0.3  # real body plans have 0.7 and more, a barge with a tunnel 0.53 in her aft half
 DIAGONAL = 0.35  # of B/2: a straight stroke so long that falls outwards is a diagonal
-DIAGONAL_GAP = 0.03  # of B/2
-DIAGONAL_WIDTH_PX = 11
+DIAGONAL_GAP = 0.012  # of B/2
+FAINTEST_FALL = 0.02  # of the strongest product of gradients
+STRAIGHT = 0.03  # of B/2: RMS of the points of a stroke, or of two beside each other, about its axis
+LEAST_LEFT = 0.25  # of what rises or falls, without diagonals: of less nothing can be said
 AXIS = 0.02  # of B/2 and of D: left out beside the centre line and the base line
 
 
@@ -105,13 +108,15 @@ def require_upright(name: str, bare: Ink, halves: Collection[HalfInk]) -> None:
         PictureError: the curves fall outwards (upside down), or do neither (another drawing).
     """
     rise = float(np.mean([_rise(bare, half) for half in halves]))
+    if rise < RISING:
+        # a barge shows little that rises, and diagonals that fall
+        without = float(np.mean([_rise(bare, half, diagonals=False) for half in halves]))
+        rise = without if without > RISING else rise
     if rise < -RISING:
         raise PictureError(
             f"{name}: upside down: its curves fall from the centre line outwards; turn the picture by 180 degrees, or "
             "flip it where it was mirrored too"
         )
-    if rise < RISING:
-        rise = float(np.mean([_rise(bare, half, diagonals=False) for half in halves]))
     if rise < RISING:
         raise PictureError(
             f"{name}: no body plan: its curves rise from the centre line outwards no more than they fall ({rise:.2f} "
@@ -126,7 +131,8 @@ def _rise(bare: Ink, half: HalfInk, diagonals: bool = True) -> float:
     Args:
         bare: (rows, columns) ink of the picture.
         half: of it.
-        diagonals: whether long straight strokes that fall outwards count too.
+        diagonals: whether long straight strokes that fall outwards count too; without them little may be left, which
+            then tells little.
     """
     frame = half.frame
     size, depth = frame.half_breadth_px, half.depth_px
@@ -134,26 +140,34 @@ def _rise(bare: Ink, half: HalfInk, diagonals: bool = True) -> float:
     u, v = frame.to_picture(y.ravel(), z.ravel())
     smooth = cv2.GaussianBlur(bare, (0, 0), EDGE_BLUR_PX)
     gradients = cv2.Sobel(smooth, cv2.CV_32F, 1, 0) * cv2.Sobel(smooth, cv2.CV_32F, 0, 1) * frame.side
-    product = cv2.GaussianBlur(gradients, (0, 0), ORIENTATION_BLUR_PX)
+    product = cv2.GaussianBlur(gradients, (0, 0), max(3.0, ORIENTATION_BLUR * size))
     here = cv2.remap(
         product, u.reshape(y.shape).astype(np.float32), v.reshape(y.shape).astype(np.float32), cv2.INTER_LINEAR
     )
+    least = 1e-9
     if not diagonals:
+        least = LEAST_LEFT * float(np.abs(here).sum())
         here = np.where(_diagonals(here, size), 0.0, here)
-    return float(here.sum() / max(float(np.abs(here).sum()), 1e-9))
+    return float(here.sum() / max(float(np.abs(here).sum()), least, 1e-9))
 
 
 def _diagonals(product: NDArray[np.generic], size: float) -> NDArray[np.bool_]:
     """Where long straight strokes fall outwards, on a half's upright raster."""
     falling = np.asarray(product, dtype=np.float32)
-    drawn = (falling < -0.02 * float(np.abs(falling).max())).astype(np.uint8)
-    found = cv2.HoughLinesP(
-        drawn, 1, np.deg2rad(0.5), 60, minLineLength=DIAGONAL * size, maxLineGap=DIAGONAL_GAP * size
+    drawn = (falling < -FAINTEST_FALL * float(np.abs(falling).max())).astype(np.uint8)
+    # lines of the drawing that were taken off break it
+    gap = 2 * round(DIAGONAL_GAP * size / 2) + 1
+    _, labels, boxes, _ = cv2.connectedComponentsWithStats(
+        cv2.morphologyEx(drawn, cv2.MORPH_CLOSE, np.ones((gap, gap)))
     )
-    out = np.zeros(drawn.shape, np.uint8)
-    for u0, v0, u1, v1 in np.asarray(found if found is not None else [], dtype=np.int64).reshape(-1, 4).tolist():
-        cv2.line(out, (u0, v0), (u1, v1), 1, DIAGONAL_WIDTH_PX)
-    return out > 0
+    longest = np.hypot(boxes[:, cv2.CC_STAT_WIDTH], boxes[:, cv2.CC_STAT_HEIGHT])
+    straight = np.zeros(len(boxes), dtype=np.bool_)
+    for n in np.flatnonzero(longest > DIAGONAL * size):
+        if n > 0:
+            points = np.argwhere((labels == n) & (drawn > 0))
+            straight[n] = np.sqrt(np.linalg.eigvalsh(np.cov(points.T))[0]) < STRAIGHT * size
+    kernel = np.ones((gap, gap), np.uint8)
+    return np.asarray(cv2.dilate(straight[labels].astype(np.uint8), kernel) > 0)
 
 
 def _share_of_small(drawn: NDArray[np.uint8], size_px: float) -> float:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from hullform.picture.calibrating.lines import VERTICAL, Mask
 from hullform.picture.image.ink import Ink
-from hullform.picture.pieces.ends import CLOSE_TO_SIDE
+from hullform.picture.pieces.ends import CLOSE_TO_SIDE, LEAST_FLAT, LEAST_TURN, Ends, begins_on_level_line, end_fit
 from hullform.picture.pieces.frame import DiagonalFrame
 from hullform.picture.pieces.sheer import SheerLine
 from hullform.picture.tracing.smoothing import WEIGHT_OF_SHARED, Trace
@@ -37,6 +37,7 @@ LONGEST_TAIL = 0.12  # of B/2: of a deck edge that a curve was led along
 AT_LINE = 0.012  # of B/2: a curve that ends so near the line of B/2 has met it, at whatever angle
 TAIL = 0.012  # of B/2: the stretch that shows whether a curve close to the side has begun to turn up
 BEGUN = 0.33  # dz/dy there
+BILGE = 0.08  # of B/2: columns over which a bilge turns up from a flat
 STEEP_ENOUGH = 0.7  # dz/dy of a curve that is about to join the line of B/2
 OFF_SHEER_PX = 2.0  # where the sheer line is known no better, the end of a curve's own ink says where it is
 LONGEST_STROKE = 0.06  # of B/2: how far ahead of a trace its ink is followed
@@ -75,6 +76,7 @@ def finish(
     if side_top_px is not None:
         side_top_px = _own_top(y, z, size, side_top_px, side_steps_px)
     y, z = _lower_end(y, z, size, lambda y, z: _shown(y, z, frame, ink, width_px))
+    y, z = _along_level_line(y, z, trace, hidden, size)
     y, z = _without_level_tail(y, z, size)
     deck_over, reaches = _deck_over(trace, frame, ink, sheer, depth_px)
     y, z = _upper_end(y, z, size, deck_over, reaches, _covered(trace, hidden), side_top_px)
@@ -202,6 +204,19 @@ def _lower_end(y: Array, z: Array, size: float, shows: Shows) -> tuple[Array, Ar
     if np.hypot(y[0], z[0]) < NEAR_KEEL * size:
         y[0] = z[0] = 0.0
     return np.maximum(y, 0.0), np.maximum(z, 0.0)
+
+
+def _along_level_line(y: Array, z: Array, trace: Trace, hidden: Mask, size: float) -> tuple[Array, Array]:
+    """A curve that begins level on a waterline lies on that line from the centre line on."""
+    if min(y[0], z[0]) <= NEAR_AXIS * size or y[0] < LEAST_FLAT * size:
+        return y, z
+    row, slope = end_fit(trace.column, trace.row, last=False)
+    beyond = trace.column < trace.column[0] + BILGE * size
+    if slope - end_fit(trace.column[beyond], trace.row[beyond], last=True)[1] < LEAST_TURN:
+        return y, z
+    if not begins_on_level_line(Ends(trace.column[:1], np.array([row]), np.array([slope])), hidden)[0]:
+        return y, z
+    return np.append(0.0, y), np.append(z[0], z)
 
 
 def _on_centre_below(y: Array, z: Array, size: float) -> tuple[Array, Array]:

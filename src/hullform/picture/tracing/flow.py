@@ -97,7 +97,7 @@ def find_paths(
     first, last = Ends.of(tracklets, last=False), Ends.of(tracklets, last=True)
     cover = Cover(mask, ink)
     links = constraints.of_links(tracklets, *_links(tracklets, first, last, cover, frame, width_px, scale))
-    entry = constraints.at_ends(entry_cost(first, mask, frame, scale), [start_of(t) for t in tracklets], scale)
+    entry = constraints.at_ends(entry_cost(first, last, mask, frame, scale), [start_of(t) for t in tracklets], scale)
     entry += COST_OF_CURVE * scale
     leave = exit_cost(last, ink, frame, top_px, side_top_px, scale)
     leave = constraints.at_ends(leave, [end_of(t) for t in tracklets], scale)
