@@ -15,7 +15,7 @@ from hullform.loading.structure import Structure, structure_of
 from hullform.loading.weights import LightShip, condition_items, light_ship
 from hullform.ship import Ship
 from hullform.ship_structure import StructureInput
-from hullform.ship_weights import ConditionInput, WeightsInput
+from hullform.ship_weights import ConditionInput
 from hullvib.girder import Girder
 
 # Of everything on board about the neutral axis, over the depth: a hull full of weights spread evenly has 0.29 of its
@@ -80,14 +80,22 @@ def load_ship(ship: Ship, hull: Hull) -> ShipAfloat:
     at_draught = hull.hydrostatics(ship.particulars.draught_m, ship.water.density_kg_m3)
     structure = structure_of(hull, given)
     displacement_t = at_draught.displacement_kg / KG_PER_T
-    light = light_ship(weights, hull, structure, ship.particulars, at_draught.block_coefficient, displacement_t)
+    light = light_ship(
+        weights,
+        hull,
+        structure,
+        ship.particulars,
+        at_draught.block_coefficient,
+        displacement_t,
+        given.superstructures,
+    )
     heaviest = max(conditions, key=lambda condition: condition.load_t)
     return ShipAfloat(
         hull=hull,
         at_draught=at_draught,
         structure=structure,
         light=light,
-        checks=_checks_of_the_ship(ship, given, weights, at_draught, structure, light, hull.midships_m),
+        checks=_checks_of_the_ship(ship, given, at_draught, structure, light, hull.midships_m),
         conditions=tuple(
             _afloat(ship, hull, structure, light, condition, at_draught if condition is heaviest else None)
             for condition in conditions
@@ -98,7 +106,6 @@ def load_ship(ship: Ship, hull: Hull) -> ShipAfloat:
 def _checks_of_the_ship(
     ship: Ship,
     given: StructureInput,
-    weights: WeightsInput,
     at_draught: Hydrostatics,
     structure: Structure,
     light: LightShip,
@@ -107,9 +114,11 @@ def _checks_of_the_ship(
     found = list(checks.checks_of_the_hull(ship.particulars, at_draught))
     if given.midship_second_moment_m4 is not None:
         found.append(checks.check_thickness(structure.thickness_factor, given))
-    if light.machinery_and_outfit_estimate is not None:
-        found.append(checks.check_light_ship(weights.beyond_steel_t, light.machinery_and_outfit_estimate))
-    numeral = None if light.steel_given else checks.check_steel_numeral(ship.particulars)
+    if light.machinery_and_outfit_estimate is None:
+        found.append(checks.check_bare_light_ship(light.beyond_steel_t, light.steel_weight_t))
+    elif light.beyond_steel_given:
+        found.append(checks.check_light_ship(light.beyond_steel_t, light.machinery_and_outfit_estimate))
+    numeral = None if light.steel_given else checks.check_steel_numeral(ship.particulars, given.superstructures)
     hatches = checks.check_hatches(ship.particulars, given, midships_m)
     return (*found, *(check for check in (numeral, hatches) if check))
 

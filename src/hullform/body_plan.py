@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from hullform.errors import BodyPlanError
 
 Half = Literal["aft", "fore"]
+Source = Literal["picture", "offsets", "mesh", "particulars"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,14 +137,14 @@ class BodyPlan:
 
     Attributes:
         stations: sorted by x, aft half before fore half at equal x.
-        source: 'picture', 'offsets' or the like.
+        source: what the stations come from; of 'particulars' nothing was drawn.
         calibration: for a picture, how its pixels became metres.
         notes: what was found or assumed, in words, for the report.
         doubts: what a person should look at; a run with doubts ends with exit code 3.
     """
 
     stations: tuple[Station, ...]
-    source: str
+    source: Source
     calibration: Calibration | None = None
     notes: tuple[str, ...] = ()
     doubts: tuple[str, ...] = field(default=())

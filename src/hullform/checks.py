@@ -5,13 +5,14 @@ Nothing here bends a result: a check that fails is shown in red, and the run end
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.loading import watson
 from hullform.rounding import short, significant
 from hullform.ship import Particulars
-from hullform.ship_structure import StructureInput
+from hullform.ship_structure import StructureInput, Superstructure
 from hullvib.plausibility import frequency_limits_hz
 from hullvib.real_ships import RATIO_LIMITS
 
@@ -28,6 +29,8 @@ TRIM_BY_BOW_LIMIT_PERCENT_LPP = 0.5
 THICKNESS_FACTOR_LIMITS = (0.5, 6.0)
 # Where the members are given too, the model should come near: what is left is stiffeners, strakes and rounding.
 MODELLED_FACTOR_LIMITS = (0.7, 1.5)
+# Machinery and outfit of any ship are more than this share of her steel.
+LEAST_BEYOND_STEEL = 0.1
 # Container ships have openings of four fifths of their breadth and more.
 HATCH_LIMITS_PERCENT_B = (50.0, 100.0)
 
@@ -180,7 +183,21 @@ def check_light_ship(beyond_steel_t: float, expected: watson.Estimate) -> Check:
     )
 
 
-def check_steel_numeral(particulars: Particulars) -> Check | None:
+def check_bare_light_ship(beyond_steel_t: float, steel_t: float) -> Check:
+    """Whether a light ship, of a type for which there is no estimate, has anything but steel in it."""
+    least = LEAST_BEYOND_STEEL * steel_t
+    return Check(
+        "bare-light-ship",
+        "light ship less steel, of a type for which no estimate of machinery and outfit is at hand",
+        beyond_steel_t,
+        least,
+        "t",
+        beyond_steel_t >= least,
+        "machinery and outfit are missing in the light ship: give semi_concentrated_weight_t or [[weights.items]]",
+    )
+
+
+def check_steel_numeral(particulars: Particulars, houses: Iterable[Superstructure] = ()) -> Check | None:
     """Whether Watson & Gilfillan had ships of this size behind their K; None where the table gives no range."""
     limits = watson.TYPE_FIGURES[particulars.type].numeral_range_m2
     if limits is None:
@@ -189,7 +206,7 @@ def check_steel_numeral(particulars: Particulars) -> Check | None:
         "steel-estimate",
         f"Watson & Gilfillan's numeral, for the estimated steel weight, against the ships of type {particulars.type} "
         "behind it",
-        watson.hull_numeral(particulars),
+        watson.hull_numeral(particulars, houses),
         limits,
         "m2",
         "the estimate is extrapolated: give steel_weight_t",
@@ -205,7 +222,7 @@ def check_displacement(mass_kg: float, at_draught: Hydrostatics) -> Check:
         100 * (at_draught.displacement_kg / mass_kg - 1),
         DISPLACEMENT_LIMIT_PERCENT,
         "%",
-        "check the draught, the deadweight and the light ship, then the picture's calibration",
+        "check the draught, the deadweight and the light ship, then the scale of the body plan",
     )
 
 
@@ -217,7 +234,7 @@ def check_floating(mass_kg: float, capacity_kg: float, depth_m: float) -> Check:
         100 * mass_kg / capacity_kg,
         (0.0, 100 + DISPLACEMENT_LIMIT_PERCENT),
         "%",
-        "she would sink: check the weights, the depth and the picture's calibration",
+        "she would sink: check the weights, the depth and the scale of the body plan",
         usual=0.0,
     )
 

@@ -74,24 +74,28 @@ def _run(options: argparse.Namespace) -> int:
 def _trace(options: argparse.Namespace) -> int:
     from hullform.files import refuse_inputs
     from hullform.offsets import write_offsets
-    from hullform.picture.overlay import write_overlay
-    from hullform.picture.reading import read_picture
+    from hullform.pipeline import read_form, reading_step
     from hullform.ship import read_ship
 
     ship = read_ship(options.ship)
+    if options.overlay:
+        # there is something to draw over
+        _ = ship.picture
     output = options.output or ship.path.parent / "offsets.csv"
     for file in (output, options.overlay or output):
         refuse_inputs(file, ship.files)
-    _progress("reading the picture")
-    reading = read_picture(ship)
-    if options.overlay:
+    _progress(reading_step(ship))
+    body_plan, reading = read_form(ship)
+    if options.overlay and reading is not None:
+        from hullform.picture.overlay import write_overlay
+
         write_overlay(reading, options.overlay)
-    write_offsets(reading.body_plan, output)
+    write_offsets(body_plan, output)
     _clear_progress()
-    print(f"{len(reading.body_plan.stations)} stations: {output}")
-    for note in reading.body_plan.notes:
+    print(f"{len(body_plan.stations)} stations: {output}")
+    for note in body_plan.notes:
         print(f"note: {note}")
-    return _doubts(reading.body_plan.doubts)
+    return _doubts(body_plan.doubts)
 
 
 def _review(options: argparse.Namespace) -> int:
@@ -117,13 +121,13 @@ def _mesh(options: argparse.Namespace) -> int:
     from hullform.files import refuse_inputs
     from hullform.hull.crossings import doubts_of_crossing
     from hullform.hull.mesh_files import export_mesh
-    from hullform.pipeline import hull_of, trace
+    from hullform.pipeline import hull_of, reading_step, trace
     from hullform.ship import read_ship
 
     ship = read_ship(options.ship)
     output = options.output or ship.path.parent / "hull.stl"
     refuse_inputs(output, ship.files)
-    _progress("reading the picture")
+    _progress(reading_step(ship))
     body_plan = trace(ship)
     _progress("fitting sections and lofting the hull")
     hull = hull_of(ship, body_plan)
@@ -137,7 +141,7 @@ def _mesh(options: argparse.Namespace) -> int:
 def _girder(options: argparse.Namespace) -> int:
     from hullform.afloat import load_ship
     from hullform.files import refuse_inputs
-    from hullform.pipeline import hull_of, trace
+    from hullform.pipeline import hull_of, reading_step, trace
     from hullform.ship import read_ship
     from hullvib.girder_files import write_girder
 
@@ -146,7 +150,7 @@ def _girder(options: argparse.Namespace) -> int:
     ship.require_sections_of_a_run()
     output = options.output or ship.path.parent / f"girder-{options.condition}.json"
     refuse_inputs(output, ship.files)
-    _progress("reading the picture")
+    _progress(reading_step(ship))
     body_plan = trace(ship)
     hull = hull_of(ship, body_plan)
     afloat = load_ship(ship, hull)
@@ -187,14 +191,19 @@ def _parser() -> argparse.ArgumentParser:
 
     def add(name: str, command: Callable[[argparse.Namespace], int], help: str) -> argparse.ArgumentParser:
         added = commands.add_parser(name, help=help, description=help)
-        added.add_argument("ship", type=Path, metavar="SHIP.toml", help="the ship's particulars and her picture")
+        added.add_argument(
+            "ship",
+            type=Path,
+            metavar="SHIP.toml",
+            help="the ship's particulars and her form",
+        )
         added.set_defaults(command=command)
         return added
 
-    run = add("run", _run, "from the picture to frequencies, with a report")
+    run = add("run", _run, "from the picture, or what stands for it, to frequencies, with a report")
     run.add_argument("-o", "--output", type=Path, metavar="DIR", help="default: results beside SHIP.toml")
     run.add_argument("--force", action="store_true", help="replace DIR and all it holds, even what no run wrote")
-    trace = add("trace", _trace, "read the stations' curves out of the picture into an offsets table")
+    trace = add("trace", _trace, "write the stations' curves, as read from the picture or mesh, as an offsets table")
     trace.add_argument("-o", "--output", type=Path, metavar="FILE", help="default: offsets.csv beside SHIP.toml")
     trace.add_argument("--overlay", type=Path, metavar="FILE", help="also draw what was read over the picture")
     review = add("review", _review, "see and mend what is read from the picture, on a page of this machine")

@@ -4,7 +4,7 @@ HullformError                  what a user can cause and mend; the command line 
   ShipFileError                ship.toml is missing, unreadable or says something impossible
   PictureError                 the picture cannot be read as a body plan
   ReviewError                  a review file that is damaged or was made of another picture
-  BodyPlanError                offsets or traced curves that make no body plan
+  BodyPlanError                traced curves, a table, a mesh or particulars that make no body plan
   HullError                    a hull or a floating position that cannot be
   LoadingError                 weights or a structure that cannot be
   OutputError                  a file or folder that cannot be written
@@ -30,7 +30,7 @@ class ReviewError(HullformError):
 
 
 class BodyPlanError(HullformError):
-    """Offsets or traced curves that make no body plan."""
+    """Traced curves, a table of offsets, a mesh or particulars that make no body plan."""
 
 
 class HullError(HullformError):

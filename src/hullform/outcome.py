@@ -118,8 +118,9 @@ class Run:
 
     Attributes:
         ship: the ship.toml.
-        reading: the picture as read.
-        hull: lofted from it.
+        body_plan: the stations, whatever they come from.
+        reading: the picture as read; None where they come from something else.
+        hull: lofted from them.
         at_draught: hydrostatics at the design draught.
         structure: section properties along the ship.
         light: steel, machinery and their estimates.
@@ -130,7 +131,8 @@ class Run:
     """
 
     ship: Ship
-    reading: PictureReading
+    body_plan: BodyPlan
+    reading: PictureReading | None
     hull: Hull
     at_draught: Hydrostatics
     structure: Structure
@@ -139,11 +141,6 @@ class Run:
     conditions: Mapping[str, ConditionRun]
     in_service: Mapping[str, InService]
     seconds: Mapping[str, float]
-
-    @property
-    def body_plan(self) -> BodyPlan:
-        """The stations as read."""
-        return self.reading.body_plan
 
     @property
     def doubts(self) -> tuple[str, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,7 @@ from hullform.in_water import InWater, put_in_water
 from hullform.loading.items import KG_PER_T
 from hullform.outcome import ConditionRun, Distortion, Run
 from hullform.ship import Ship
+from hullform.ship_body_plan import MeshSource, OffsetsSource, PictureSource
 from hullvib import distortion
 from hullvib.bounds import Bracket, bracket
 from hullvib.errors import NotProven
@@ -30,6 +32,9 @@ from hullvib.solving import solve
 from hullvib.stodola import StodolaRitz
 from hullvib.timoshenko_elements import TimoshenkoElements
 
+if TYPE_CHECKING:
+    from hullform.picture.reading import PictureReading
+
 Array = NDArray[np.float64]
 Progress = Callable[[str], None]
 
@@ -41,14 +46,42 @@ CONVERGENCE_MODES = 3
 
 
 def trace(ship: Ship) -> BodyPlan:
-    """Read the body plan of a ship's picture.
+    """The body plan of a ship: read from her picture, her table of offsets or her mesh, or made of her particulars.
 
     Raises:
         PictureError: the picture cannot be read as a body plan.
+        BodyPlanError: nor can the table or the mesh, or the particulars make no form.
     """
-    from hullform.picture.reading import read_picture
+    return read_form(ship)[0]
 
-    return read_picture(ship).body_plan
+
+def read_form(ship: Ship) -> tuple[BodyPlan, PictureReading | None]:
+    """The body plan, and for a picture all that was read of it; raises as `trace`."""
+    source = ship.body_plan
+    if isinstance(source, PictureSource):
+        from hullform.picture.reading import read_picture
+
+        reading = read_picture(ship)
+        return reading.body_plan, reading
+    if isinstance(source, OffsetsSource):
+        from hullform.doors.offsets_reading import read_offsets
+
+        return read_offsets(ship, source), None
+    if isinstance(source, MeshSource):
+        from hullform.doors.mesh_reading import read_mesh
+
+        return read_mesh(ship, source), None
+    from hullform.doors.parametric import form_after_particulars
+
+    return form_after_particulars(ship, source), None
+
+
+def reading_step(ship: Ship) -> str:
+    """What `read_form` does, for those who wait for it."""
+    source = ship.body_plan
+    if isinstance(source, PictureSource):
+        return "reading the picture"
+    return "making a form of the particulars" if source.file is None else f"reading {source.file.name}"
 
 
 def hull_of(ship: Ship, body_plan: BodyPlan) -> Hull:
@@ -73,7 +106,7 @@ def girder_of(ship: Ship, hull: Hull, condition: str) -> Girder:
 
 
 def run_ship(ship: Ship, progress: Progress = lambda step: None) -> Run:
-    """The whole road, from the picture to every condition's modes.
+    """The whole road, from the picture, or what stands for it, to every condition's modes.
 
     Args:
         ship: from `read_ship`.
@@ -82,8 +115,6 @@ def run_ship(ship: Ship, progress: Progress = lambda step: None) -> Run:
     Raises:
         HullformError: the input is wrong; the message says what to do.
     """
-    from hullform.picture.reading import read_picture
-
     ship.require_sections_of_a_run()
     seconds: dict[str, float] = {}
     clock = time.perf_counter()
@@ -93,11 +124,11 @@ def run_ship(ship: Ship, progress: Progress = lambda step: None) -> Run:
         now = time.perf_counter()
         seconds[stage], clock = now - clock, now
 
-    progress("reading the picture")
-    reading = read_picture(ship)
-    finished("picture")
+    progress(reading_step(ship))
+    body_plan, reading = read_form(ship)
+    finished("picture" if reading else "form")
     progress("fitting sections and lofting the hull")
-    hull = hull_of(ship, reading.body_plan)
+    hull = hull_of(ship, body_plan)
     mesh = checks.check_mesh(float(hull.mesh().volume), hull.volume_m3)
     finished("hull")
     progress("structure and weights")
@@ -119,6 +150,7 @@ def run_ship(ship: Ship, progress: Progress = lambda step: None) -> Run:
     finished("service")
     return Run(
         ship=ship,
+        body_plan=body_plan,
         reading=reading,
         hull=hull,
         at_draught=afloat.at_draught,

@@ -19,8 +19,8 @@ class Provenance(_Table):
     created_utc: str
     ship_file: str
     ship_file_sha256: str
-    image: str
-    image_sha256: str
+    body_plan_file: str | None
+    body_plan_file_sha256: str | None
     review: str | None
     review_sha256: str | None
     seconds: dict[str, Finite]
@@ -62,8 +62,9 @@ class StationRecord(_Table):
 
 
 class HullRecord(_Table):
-    """The hull as read and lofted."""
+    """The hull as read and lofted. Of `source` 'particulars' nothing was drawn: the form is made of them."""
 
+    source: Literal["picture", "offsets", "mesh", "particulars"]
     stations: list[StationRecord]
     hydrostatics: dict[str, Finite]
     notes: list[str]
@@ -115,6 +116,8 @@ class LightShipRecord(_Table):
     steel_given: bool
     steel_estimate_t: Finite
     steel_estimate_range_t: tuple[Finite, Finite]
+    machinery_and_outfit_t: Finite
+    machinery_and_outfit_given: bool
     machinery_and_outfit_estimate_t: Finite | None
     machinery_and_outfit_range_t: tuple[Finite, Finite] | None
 

@@ -72,16 +72,16 @@ def write_results(run: Run, path: Path) -> None:
 
 def _provenance(run: Run) -> Provenance:
     packages = ("hullform", "numpy", "scipy", "opencv-python-headless", "trimesh")
-    image, review = run.ship.body_plan.image_path, run.ship.review_path
-    reviewed = review.exists()
+    file, review = run.ship.body_plan.file, run.ship.review_path
+    reviewed = run.reading is not None and review.exists()
     return Provenance(
         program=PROGRAM,
         versions={"python": platform.python_version(), **{name: importlib.metadata.version(name) for name in packages}},
         created_utc=datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
         ship_file=run.ship.path.name,
         ship_file_sha256=_digest(run.ship.path),
-        image=image.name,
-        image_sha256=_digest(image),
+        body_plan_file=None if file is None else file.name,
+        body_plan_file_sha256=None if file is None else _digest(file),
         review=review.name if reviewed else None,
         review_sha256=_digest(review) if reviewed else None,
         seconds=dict(run.seconds),
@@ -120,6 +120,7 @@ def _hull(run: Run) -> HullRecord:
         )
     calibration = run.body_plan.calibration
     return HullRecord(
+        source=run.body_plan.source,
         stations=records,
         hydrostatics=asdict(run.at_draught),
         notes=list(run.body_plan.notes),
@@ -171,6 +172,8 @@ def _light_ship(run: Run) -> LightShipRecord:
         steel_given=light.steel_given,
         steel_estimate_t=steel.weight_t,
         steel_estimate_range_t=(steel.lower_t, steel.upper_t),
+        machinery_and_outfit_t=light.beyond_steel_t,
+        machinery_and_outfit_given=light.beyond_steel_given,
         machinery_and_outfit_estimate_t=None if rest is None else rest.weight_t,
         machinery_and_outfit_range_t=None if rest is None else (rest.lower_t, rest.upper_t),
     )

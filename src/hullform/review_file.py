@@ -17,7 +17,7 @@ from hullform.errors import ReviewError
 from hullform.files import whole_file
 from hullform.quantities import Number
 from hullform.ship import Ship
-from hullform.ship_body_plan import SAME_STATION_M, BodyPlanSource, CalibrationGiven, Half, Side, StationName
+from hullform.ship_body_plan import SAME_STATION_M, CalibrationGiven, Half, PictureSource, Side, StationName
 
 BLOCK_BYTES = 1 << 20
 NEVER_SAVED = "none"
@@ -47,7 +47,7 @@ class ReviewedStations(_Part):
     aft_station_names: tuple[StationName, ...] = ()
     fore_station_names: tuple[StationName, ...] = ()
 
-    def over(self, source: BodyPlanSource) -> dict[str, Any]:
+    def over(self, source: PictureSource) -> dict[str, Any]:
         """The keys of [body_plan] that change."""
         changed = self.model_dump()
         for half in HALVES:
@@ -89,7 +89,7 @@ class Review(_Part):
         Raises:
             ReviewError: the stations do not fit the marks or the drawn curves.
         """
-        source = ship.body_plan
+        source = ship.picture
         marks = [correction.mark for correction in self.corrections if isinstance(correction, MarkedStation)]
         marked = {(mark.half, mark.station_m, mark.curve) for mark in marks}
         marks += [mark for mark in source.marks if (mark.half, mark.station_m, mark.curve) not in marked]
@@ -101,7 +101,7 @@ class Review(_Part):
             "marks": tuple(mark.model_dump() for mark in marks),
         }
         try:
-            reviewed = BodyPlanSource.model_validate(changed)
+            reviewed = PictureSource.model_validate(changed)
         except ValidationError as error:
             raise _refused(ship.review_path, error) from None
         listed = {"aft": reviewed.aft_stations_m, "fore": reviewed.fore_stations_m}
@@ -116,8 +116,8 @@ class Review(_Part):
 
 def new_review(ship: Ship) -> Review:
     """An empty review of the ship's picture."""
-    image = ship.body_plan.image_path
-    return Review(picture=ReviewedPicture(file=ship.body_plan.image, sha256=_hash_of(image)))
+    image = ship.picture.image_path
+    return Review(picture=ReviewedPicture(file=ship.picture.image, sha256=_hash_of(image)))
 
 
 def read_review(ship: Ship) -> Review | None:
@@ -149,7 +149,7 @@ def checked_review(document: object, ship: Ship) -> Review:
         review = Review.model_validate(document)
     except ValidationError as error:
         raise _refused(path, error) from None
-    image = ship.body_plan.image_path
+    image = ship.picture.image_path
     if review.picture.sha256 != _hash_of(image):
         raise ReviewError(
             f"{path}: was made of another picture than {image} is now; its places mean nothing here. "

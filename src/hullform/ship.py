@@ -10,11 +10,17 @@ import tomllib
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, PrivateAttr, ValidationError, model_validator
+from pydantic import Field, PrivateAttr, ValidationError, field_validator, model_validator
 
 from hullform.errors import ShipFileError
 from hullform.quantities import NotNegative, Number, Positive, Table
-from hullform.ship_body_plan import BodyPlanSource
+from hullform.ship_body_plan import (
+    SOURCES,
+    BodyPlanSource,
+    MeshSource,
+    ParticularsSource,
+    PictureSource,
+)
 from hullform.ship_excitation import ExcitationInput
 from hullform.ship_faults import fault_line
 from hullform.ship_operation import OperationInput
@@ -107,7 +113,7 @@ class Ship(Table):
 
     schema_number: Annotated[Literal[1], Field(alias="schema")]
     particulars: Annotated[Particulars, Field(alias="ship")]
-    body_plan: BodyPlanSource
+    body_plan: BodyPlanSource = Field(default_factory=ParticularsSource)
     hull: HullOptions = HullOptions()
     structure: StructureInput | None = None
     weights: WeightsInput | None = None
@@ -118,6 +124,14 @@ class Ship(Table):
     operation: OperationInput | None = None
     _path: Path = PrivateAttr(default=Path())
 
+    @field_validator("body_plan", mode="before")
+    @classmethod
+    def _one_source(cls, given: Any) -> Any:
+        named = [key for key in SOURCES if isinstance(given, dict) and key in given]
+        if len(named) > 1:
+            raise ValueError(f"has {' and '.join(named)}; the form comes from one of them: remove the others")
+        return given
+
     @model_validator(mode="after")
     def _names_and_stations_fit(self) -> Self:
         names = [condition.name for condition in self.conditions]
@@ -127,8 +141,8 @@ class Ship(Table):
                     f"two conditions are called '{name}'; condition names are file names, so make them unique"
                 )
         overall = self.particulars.length_overall_m
-        for key in ("aft_stations_m", "fore_stations_m"):
-            for x in getattr(self.body_plan, key):
+        for key, stations in self._listed_stations().items():
+            for x in stations:
                 if not -1e-6 <= x <= overall + 1e-6:
                     raise ValueError(
                         f"body_plan.{key} has {x:g}, outside the ship (0 .. {overall:g} m); "
@@ -160,17 +174,38 @@ class Ship(Table):
         """The file that was read."""
         return self._path
 
+    def _listed_stations(self) -> dict[str, tuple[float, ...]]:
+        """The lists of stations in [body_plan], by their keys."""
+        source = self.body_plan
+        if isinstance(source, PictureSource):
+            return {"aft_stations_m": source.aft_stations_m, "fore_stations_m": source.fore_stations_m}
+        return {"stations_m": source.stations_m} if isinstance(source, MeshSource) else {}
+
     @property
     def files(self) -> tuple[Path, ...]:
-        """What is read: ship.toml, the picture, and the review of it where there is one."""
-        return (self._path, self.body_plan.image_path, self.review_path)
+        """What is read: ship.toml, the file of her form, and the review of her picture where there is one."""
+        return tuple(file for file in (self._path, self.body_plan.file, self.review_path) if file is not None)
+
+    @property
+    def picture(self) -> PictureSource:
+        """Her picture.
+
+        Raises:
+            ShipFileError: her form comes from something else.
+        """
+        if isinstance(self.body_plan, PictureSource):
+            return self.body_plan
+        source = "her particulars" if self.body_plan.file is None else self.body_plan.file.name
+        raise ShipFileError(
+            f"{self.path}: her form comes from {source}, and this needs a picture: give body_plan.image"
+        )
 
     @property
     def review_path(self) -> Path:
         """Where the review of her picture lies: beside her ship.toml, by its name."""
         return self._path.with_name(self._path.stem + REVIEW_SUFFIX)
 
-    def reading(self, body_plan: BodyPlanSource) -> Ship:
+    def reading(self, body_plan: PictureSource) -> Ship:
         """The same ship with another account of the same picture."""
         body_plan._folder = self.body_plan._folder
         return self.model_copy(update={"body_plan": body_plan})

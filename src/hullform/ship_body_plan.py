@@ -1,4 +1,4 @@
-"""[body_plan] of ship.toml: the picture, which stations it shows, and what the user knows of its scale."""
+"""[body_plan] of ship.toml: where her form comes from, a picture, a table, a mesh, or her particulars alone."""
 
 from __future__ import annotations
 
@@ -6,15 +6,26 @@ import itertools
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, PrivateAttr, field_validator, model_validator
+from pydantic import Discriminator, Field, PrivateAttr, Tag, field_validator, model_validator
 
 from hullform.quantities import Number, Positive, Table
 from hullform.station_names import StationNames, fault_of_names
 
 Half = Literal["aft", "fore"]
 Side = Literal["left", "right"]
+Unit = Literal["m", "cm", "mm", "ft", "in"]
+Axis = Literal["+x", "-x", "+y", "-y", "+z", "-z"]
+METRES_PER: dict[Unit, float] = {"m": 1.0, "cm": 0.01, "mm": 0.001, "ft": 0.3048, "in": 0.0254}
 StationName = Annotated[str, Field(strict=True, pattern=r"^\S(.*\S)?$", max_length=16)]
 SAME_STATION_M = 1e-3  # nearer to each other, two places along the ship mean one station
+
+
+def from_aft_forward(stations: tuple[float, ...], remedy: str) -> tuple[float, ...]:
+    """The same stations; ValueError where one does not lie forward of the one before."""
+    for before, after in itertools.pairwise(stations):
+        if after <= before:
+            raise ValueError(f"{after:g} follows {before:g}; {remedy}")
+    return stations
 
 
 class CalibrationPoint(Table):
@@ -43,8 +54,19 @@ class Mark(Table):
     curve: Annotated[int, Field(ge=0, le=1)] = 0
 
 
-class BodyPlanSource(Table):
-    """[body_plan]: the picture, and which stations it shows."""
+class _Source(Table):
+    """What every kind of [body_plan] has: the folder of ship.toml, beside which its file lies."""
+
+    _folder: Path = PrivateAttr(default=Path())
+
+    @property
+    def file(self) -> Path | None:
+        """The file that the form is read from; None where there is none."""
+        return None
+
+
+class PictureSource(_Source):
+    """[body_plan] with `image`: the picture, and which stations it shows."""
 
     image: Annotated[str, Field(min_length=1)]
     page: Annotated[int, Field(strict=True, ge=1)] = 1
@@ -55,15 +77,11 @@ class BodyPlanSource(Table):
     fore_station_names: tuple[StationName, ...] = ()
     calibration: CalibrationGiven | None = None
     marks: tuple[Mark, ...] = ()
-    _folder: Path = PrivateAttr(default=Path())
 
     @field_validator("aft_stations_m", "fore_stations_m")
     @classmethod
     def _from_aft_forward(cls, stations: tuple[float, ...]) -> tuple[float, ...]:
-        for before, after in itertools.pairwise(stations):
-            if after <= before:
-                raise ValueError(f"{after:g} follows {before:g}; list each half's stations from aft forward, each once")
-        return stations
+        return from_aft_forward(stations, "list each half's stations from aft forward, each once")
 
     @field_validator("aft_station_names", "fore_station_names", mode="before")
     @classmethod
@@ -103,3 +121,101 @@ class BodyPlanSource(Table):
     def image_path(self) -> Path:
         """Where the picture lies: beside ship.toml unless the path is absolute."""
         return self._folder / self.image
+
+    @property
+    def file(self) -> Path:
+        """The picture."""
+        return self.image_path
+
+
+class OffsetsSource(_Source):
+    """[body_plan] with `offsets`: a table of points or of half-breadths, as csv."""
+
+    offsets: Annotated[str, Field(min_length=1)]
+    unit: Unit = "m"
+    origin_x_m: Number = 0.0
+    origin_z_m: Number = 0.0
+
+    @property
+    def file(self) -> Path:
+        """The table: beside ship.toml unless the path is absolute."""
+        return self._folder / self.offsets
+
+
+class MeshSource(_Source):
+    """[body_plan] with `mesh`: a surface of triangles, and how its axes lie in the ship."""
+
+    mesh: Annotated[str, Field(min_length=1)]
+    unit: Unit = "m"
+    forward: Axis = "+x"
+    up: Axis = "+z"
+    origin_x_m: Number = 0.0
+    origin_y_m: Number = 0.0
+    origin_z_m: Number = 0.0
+    up_to_m: Positive | None = None
+    stations_m: tuple[Number, ...] = ()
+
+    @field_validator("stations_m")
+    @classmethod
+    def _from_aft_forward(cls, stations: tuple[float, ...]) -> tuple[float, ...]:
+        return from_aft_forward(stations, "list the stations from aft forward, each once")
+
+    @model_validator(mode="after")
+    def _three_stations_or_none(self) -> Self:
+        if 0 < len(self.stations_m) < 3:
+            raise ValueError(
+                f"stations_m lists {len(self.stations_m)}; a hull needs three or more, or leave the list out"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _two_axes(self) -> Self:
+        if self.forward[1] == self.up[1]:
+            raise ValueError(f'forward = "{self.forward}" and up = "{self.up}" are one axis of the mesh; give two')
+        return self
+
+    @property
+    def file(self) -> Path:
+        """The mesh: beside ship.toml unless the path is absolute."""
+        return self._folder / self.mesh
+
+
+class ParticularsSource(_Source):
+    """[body_plan] left out, or with neither picture, table nor mesh: a form made of the main particulars."""
+
+    midship_coefficient: Annotated[float, Field(strict=True, gt=0.5, lt=1)] | None = None
+    parallel_body_share: Annotated[float, Field(strict=True, ge=0, le=0.8)] | None = None
+
+
+# The key that names each kind of source, and the kind. Without any it is the particulars'.
+SOURCES: dict[str, type[_Source]] = {"image": PictureSource, "offsets": OffsetsSource, "mesh": MeshSource}
+PARTICULARS = "particulars"
+
+
+def kind_of_source(given: Any) -> str:
+    """The kind of [body_plan]: by the key that names its file, else by the kind that alone knows a key of it."""
+    if isinstance(given, _Source):
+        return next((key for key, source in SOURCES.items() if isinstance(given, source)), PARTICULARS)
+    if not isinstance(given, dict):
+        return PARTICULARS
+    for key in SOURCES:
+        if key in given:
+            return key
+    own = [key for key, source in SOURCES.items() if _own_keys(source).intersection(given)]
+    return own[0] if len(own) == 1 else PARTICULARS
+
+
+def _own_keys(source: type[_Source]) -> set[str]:
+    """The keys that no other kind of source has."""
+    others: list[type[_Source]] = [ParticularsSource]
+    others += [other for other in SOURCES.values() if other is not source]
+    return set(source.model_fields) - {key for other in others for key in other.model_fields}
+
+
+BodyPlanSource = Annotated[
+    Annotated[PictureSource, Tag("image")]
+    | Annotated[OffsetsSource, Tag("offsets")]
+    | Annotated[MeshSource, Tag("mesh")]
+    | Annotated[ParticularsSource, Tag(PARTICULARS)],
+    Discriminator(kind_of_source),
+]

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import difflib
+import itertools
 from collections.abc import Mapping
 from typing import Any
 
-from pydantic import BaseModel
+from pydantic import BaseModel, Tag
 
 # Keys that the format keeps for later: refused by name, so that nobody believes that they count.
 RESERVED = {
-    "body_plan": {"mesh", "offsets"},
     "water": {"depth_m"},
 }
 
@@ -20,17 +20,22 @@ INSTEAD = {
     "aft_stations_m and fore_stations_m",
 }
 
+# Of a table that is of one kind alone.
+ONLY_KIND = ""
+
 HOW_TO_FIND = {
     "aft_perpendicular_m": "the length between perpendiculars differs from the length overall, so give the x of "
     "the aft perpendicular from the aft end",
     "schema": "begin the file with schema = 1",
+    "image": "give the picture, or in its place a table (offsets) or a mesh; with none of the three, and no other key "
+    "of a picture, the form is made of the main particulars",
 }
 
 
 def fault_line(fault: Mapping[str, Any], root: type[BaseModel]) -> str:
     """One line for one fault that pydantic found in a file of type `root`: where, which value, what to do."""
     places = list(fault["loc"])
-    where = ".".join(str(place) for place in places) or "the file"
+    where = ".".join(str(place) for place in _as_written(places, root)) or "the file"
     kind = fault["type"]
     if kind == "extra_forbidden":
         return f"{where}: {_unknown_key(places, root)}"
@@ -49,22 +54,35 @@ def _unknown_key(places: list[Any], root: type[BaseModel]) -> str:
         return "is reserved for a later version and has no effect yet; remove it"
     if table == "body_plan" and key in INSTEAD:
         return INSTEAD[key]
-    model = root
-    for name in keys[:-1]:
-        model = _tables_of(model)[name]
-    known = [field.alias or name for name, field in model.model_fields.items()]
-    near = difflib.get_close_matches(key, known, n=1)
-    return f"unknown key; did you mean '{near[0]}'?" if near else f"unknown key; known here: {', '.join(known)}"
+    model, models, names = root, [root], iter(keys[:-1])
+    for name in names:
+        kinds = _tables_of(model)[name]
+        model = kinds[ONLY_KIND] if ONLY_KIND in kinds else kinds[next(names)]
+        models = [model, *(other for other in kinds.values() if other is not model)]
+    known = [[field.alias or name for name, field in kind.model_fields.items()] for kind in models]
+    # the kind that was meant goes before the others of its table
+    for some in known:
+        if near := difflib.get_close_matches(key, some, n=1):
+            return f"unknown key; did you mean '{near[0]}'?"
+    return f"unknown key; known here: {', '.join(dict.fromkeys(itertools.chain(*known)))}"
 
 
-def _tables_of(model: type[BaseModel]) -> dict[str, type[BaseModel]]:
-    """The tables within a table, by their names in the file."""
-    found: dict[str, type[BaseModel]] = {}
+def _as_written(places: list[Any], root: type[BaseModel]) -> list[Any]:
+    """Where a fault is in the file: without the tag by which the kinds of a table are told apart."""
+    kinds = _tables_of(root).get(str(places[0]), {}) if places else {}
+    return [place for i, place in enumerate(places) if not (i == 1 and place in kinds)]
+
+
+def _tables_of(model: type[BaseModel]) -> dict[str, dict[str, type[BaseModel]]]:
+    """The tables within a table, by their names in the file and the tags of their kinds."""
+    found: dict[str, dict[str, type[BaseModel]]] = {}
     for name, field in model.model_fields.items():
-        stack: list[Any] = [field.annotation]
+        stack: list[tuple[Any, str]] = [(field.annotation, ONLY_KIND)]
         while stack:
-            annotation = stack.pop()
+            annotation, tag = stack.pop()
             if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-                found[field.alias or name] = annotation
-            stack += getattr(annotation, "__args__", ())
+                found.setdefault(field.alias or name, {})[tag] = annotation
+            tags = [item.tag for item in getattr(annotation, "__metadata__", ()) if isinstance(item, Tag)]
+            inner = [annotation.__origin__] if tags else getattr(annotation, "__args__", ())
+            stack += [(part, tags[0] if tags else tag) for part in inner]
     return found

@@ -84,14 +84,16 @@ class WeightsInput(Table):
     """[weights]: the light ship."""
 
     steel_weight_t: Positive | None = None
-    semi_concentrated_weight_t: NotNegative = 0.0
+    semi_concentrated_weight_t: NotNegative | None = None
     machinery_share: Share = 0.7
     items: tuple[WeightItem, ...] = ()
 
     @property
-    def beyond_steel_t(self) -> float:
-        """Machinery and outfit: the light ship less her steel."""
-        return self.semi_concentrated_weight_t + sum(item.mass_t for item in self.items)
+    def beyond_steel_t(self) -> float | None:
+        """Machinery and outfit: the light ship less her steel; None where nothing is said of them."""
+        if self.semi_concentrated_weight_t is None and not self.items:
+            return None
+        return (self.semi_concentrated_weight_t or 0.0) + sum(item.mass_t for item in self.items)
 
 
 class ConditionInput(Table):

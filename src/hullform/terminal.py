@@ -9,6 +9,7 @@ from hullvib.real_ships import RATIO_LIMITS, ratios
 from hullvib.resonance import SURE_MODES
 
 SHOWN = 3
+NOT_DRAWN = ("No drawing: her hull is a form made of these main particulars.",)
 
 
 def summary(run: Run) -> str:
@@ -20,6 +21,7 @@ def summary(run: Run) -> str:
     lines = [
         f"{of_ship.name}: LOA {of_ship.length_overall_m:g} m, LPP {of_ship.length_between_perpendiculars_m:g} m, "
         f"B {of_ship.breadth_m:g} m, D {of_ship.depth_m:g} m, T {of_ship.draught_m:g} m",
+        *NOT_DRAWN * (run.body_plan.source == "particulars"),
         "Vertical bending in deep water at rest, girder with shear deflection; the last column is dry.",
         "",
         f"{'condition':<14}{'mass, t':>9}{'draught, m':>12}{'mode':>6}{'nodes':>7}"
@@ -37,9 +39,10 @@ def summary(run: Run) -> str:
                 f"{significant(modes.angular_frequencies[mode]):>10}"
                 f"{significant(dry.frequencies_hz[mode]):>11}"
             )
+    starred = any(" *" in line for line in lines)
     lines += ["", *_ratios(run)]
     lines += _shaft_speeds(run)
-    if run.doubts:
+    if starred:
         lines += ["", "* something is wrong with the ship or the condition: see the doubts"]
     return "\n".join(lines)
 

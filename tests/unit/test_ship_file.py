@@ -32,6 +32,8 @@ name = "loaded"
 deadweight_t = 1000.0
 """
 
+PICTURE = GOOD[GOOD.index("[body_plan]") : GOOD.index("[structure]")].rstrip()
+
 
 def written(folder: Path, text: str) -> Path:
     path = folder / "ship.toml"
@@ -130,8 +132,27 @@ def test_the_aft_perpendicular_is_at_the_aft_end_where_the_lengths_agree(tmp_pat
             "draught_aft_m and draught_fore_m go together",
         ),
         ("[weights]", "[weights]\n[excitation]", "excitation.shaft_speed_rpm: is missing"),
-        ("[body_plan]", "[body_plan]\nmesh = 'x.stl'", "body_plan.mesh: is reserved for a later version"),
         ("[structure]", "[hull]\nsections = 'ellipse'\n[structure]", "hull.sections = 'ellipse': "),
+        (
+            "[body_plan]",
+            "[body_plan]\nmesh = 'x.stl'",
+            "body_plan: has image and mesh; the form comes from one",
+        ),
+        ('image = "plan.png"', "", "body_plan.image: is missing; give the picture, or in its place a table"),
+        (PICTURE, "[body_plan]\nform = 3", "body_plan.form: unknown key; known here: midship_coefficient, "),
+        (PICTURE, "[body_plan]\noffset = 'a.csv'", "body_plan.offset: unknown key; did you mean 'offsets'?"),
+        (PICTURE, "[body_plan]\nmesh = 'a.stl'\nforwrad = '+y'", "forwrad: unknown key; did you mean 'forward'?"),
+        (PICTURE, "[body_plan]\nmesh = 'a.stl'\nforward = 'y'", "body_plan.forward = 'y': input should be '+x'"),
+        (PICTURE, "[body_plan]\nmesh = 'a.stl'\nforward = '-z'", 'forward = "-z" and up = "+z" are one axis'),
+        (PICTURE, "[body_plan]\nmesh = 'a.stl'\nunit = 'yd'", "body_plan.unit = 'yd'"),
+        (PICTURE, "[body_plan]\nmesh = 'a.stl'\nstations_m = [0.0, 9.0]", "stations_m lists 2; a hull needs three"),
+        (PICTURE, "[body_plan]\nmesh = 'a.stl'\nstations_m = [0.0, 9.0, 8.0]", "8 follows 9; list the stations"),
+        (
+            PICTURE,
+            "[body_plan]\nmesh = 'a.stl'\nstations_m = [0.0, 9.0, 800.0]",
+            "stations_m has 800, outside",
+        ),
+        (PICTURE, "[body_plan]\nmidship_coefficient = 1.5", "body_plan.midship_coefficient = 1.5"),
         ("[ship]", "ship = 3\n[other]", "ship = 3: "),
         ("schema = 1", "schema = ", "is no TOML"),
         ("[structure]", "[structure]\nscantlings = 'net'", 'structure: scantlings = "net" needs corrosion_margin_m'),

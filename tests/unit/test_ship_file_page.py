@@ -8,10 +8,13 @@ from pathlib import Path
 from typing import Any, get_args
 
 import pytest
+from form_ship import SHIP, form_ship
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from hullform.ship import Ship, ShipType
+from hullform import Hull, trace
+from hullform.ship import Ship, ShipType, read_ship
+from hullform.ship_body_plan import MeshSource, ParticularsSource
 from hullform.ship_faults import RESERVED
 
 PAGE = (Path(__file__).parents[2] / "docs" / "ship-file.md").read_text(encoding="utf-8")
@@ -20,6 +23,8 @@ BLOCKS = [(kind, tomllib.loads(text)) for kind, text in EXAMPLE.findall(PAGE)]
 WHOLE_FILES = [document for kind, document in BLOCKS if kind == "ship"]
 STRUCTURES = [document for kind, document in BLOCKS if kind == "structure"]
 LOADED = [document for kind, document in BLOCKS if kind == "condition"]
+MESHES = [document for kind, document in BLOCKS if kind == "mesh"]
+TABLES_OF_OFFSETS = re.findall(r"<!-- file: \S+\.csv -->\n```csv\n(.*?)```", PAGE, re.DOTALL)
 IN_SERVICE = [document for kind, document in BLOCKS if kind == "service"]
 CALIBRATIONS = [document for kind, document in BLOCKS if kind == "calibration"]
 
@@ -37,7 +42,9 @@ def keys_by_table(model: type[BaseModel], table: str = "") -> dict[str, dict[str
         key = field.alias or name
         found[table][key] = field
         for inner in models_in(field.annotation):
-            found |= keys_by_table(inner, f"{table}.{key}".lstrip("."))
+            # a table may be of several kinds
+            for inner_table, keys in keys_by_table(inner, f"{table}.{key}".lstrip(".")).items():
+                found[inner_table] = found.get(inner_table, {}) | keys
     return found
 
 
@@ -114,7 +121,33 @@ def test_the_whole_example_is_accepted() -> None:
 def test_the_calibrations_are_accepted_with_the_whole_example(given: dict[str, Any]) -> None:
     document = tomllib.loads(EXAMPLE.findall(PAGE)[-1][1])
     document["body_plan"] |= given["body_plan"]
-    assert Ship.model_validate(document).body_plan.calibration is not None
+    assert Ship.model_validate(document).picture.calibration is not None
+
+
+def test_the_mesh_is_accepted_in_place_of_the_picture() -> None:
+    document = tomllib.loads(EXAMPLE.findall(PAGE)[-1][1])
+    (given,) = MESHES
+    assert isinstance(Ship.model_validate(document | given).body_plan, MeshSource)
+
+
+def test_without_a_source_the_form_is_of_the_particulars() -> None:
+    document = tomllib.loads(EXAMPLE.findall(PAGE)[-1][1])
+    del document["body_plan"]
+    assert isinstance(Ship.model_validate(document).body_plan, ParticularsSource)
+
+
+@pytest.mark.parametrize("table", TABLES_OF_OFFSETS, ids=["points", "waterlines"])
+def test_the_tables_of_offsets_are_read(tmp_path: Path, table: str) -> None:
+    # the first shows two stations of a ship that has more
+    more = "118.0,0.0,0.5\n118.0,4.4,9.0\n" if table.startswith("station_x_m") else ""
+    (tmp_path / "table.csv").write_text(table + more, encoding="utf-8")
+    ship = SHIP.replace("length_overall_m = 190.0", "length_overall_m = 120.0")
+    ship = ship.replace("length_between_perpendiculars_m = 182.0", "length_between_perpendiculars_m = 114.0")
+    ship = ship.replace("breadth_m = 30.0", "breadth_m = 22.0").replace("depth_m = 17.0", "depth_m = 9.0")
+    ship = ship.replace("draught_m = 11.0", "draught_m = 6.5")
+    body_plan = trace(form_ship(tmp_path, '[body_plan]\noffsets = "table.csv"\n', ship))
+    assert body_plan.doubts == ()
+    assert Hull.from_body_plan(body_plan, read_ship(tmp_path / "ship.toml").particulars).volume_m3 > 0
 
 
 def test_the_structure_is_accepted_for_a_ship_of_its_size() -> None:

@@ -2,11 +2,13 @@
 
 Steel follows the section of the longitudinal steel, which is the girth of a shell of one thickness (end plates and
 transverse bulkheads at their place), machinery lies over 0 .. 0.2 LOA, deck machinery
-over 0.9 .. 1.0 LOA, deadweight over 0.2 .. 0.9 LOA in step with the sectional area below the design draught.
+over 0.9 .. 1.0 LOA, deadweight over 0.2 .. 0.9 LOA in step with the sectional area below the design draught. Where
+nothing is said of machinery and outfit Watson's estimates stand for them: machinery in its place, outfit evenly.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,6 +20,7 @@ from hullform.loading.distributions import Distribution, shaped, uniform
 from hullform.loading.items import KG_PER_T, item_along
 from hullform.loading.structure import Structure
 from hullform.ship import Particulars
+from hullform.ship_structure import Superstructure
 from hullform.ship_weights import ConditionInput, WeightsInput
 
 Array = NDArray[np.float64]
@@ -32,10 +35,12 @@ class LightShip:
     """Steel and semi-concentrated weights, the same in every condition.
 
     Attributes:
-        items: steel, machinery, deck machinery, and those of the light ship's list.
+        items: steel, machinery, deck machinery or outfit, and those of the light ship's list.
         steel_weight_t: as given, or estimated.
         steel_estimate: Watson & Gilfillan's figure and range for this ship.
         steel_given: whether ship.toml gave the steel weight.
+        beyond_steel_t: machinery and outfit, as given, or estimated.
+        beyond_steel_given: whether ship.toml said anything of them.
         machinery_and_outfit_estimate: what Watson would expect of the rest of the light ship; None where no source
             has the type.
     """
@@ -44,6 +49,8 @@ class LightShip:
     steel_weight_t: float
     steel_estimate: watson.Estimate
     steel_given: bool
+    beyond_steel_t: float
+    beyond_steel_given: bool
     machinery_and_outfit_estimate: watson.Estimate | None
 
 
@@ -54,6 +61,7 @@ def light_ship(
     particulars: Particulars,
     block_coefficient: float,
     displacement_t: float,
+    houses: Sequence[Superstructure] = (),
 ) -> LightShip:
     """Spread the light ship over her length.
 
@@ -62,35 +70,53 @@ def light_ship(
         hull, structure: of the same stations.
         particulars: of the ship.
         block_coefficient, displacement_t: at the design draught, as read.
+        houses: of [structure], for the steel estimate.
 
     Raises:
         LoadingError: there is nothing to spread a weight over.
     """
-    estimate = watson.steel_weight(particulars, block_coefficient)
+    estimate = watson.steel_weight(particulars, block_coefficient, houses)
     steel_t = estimate.weight_t if given.steel_weight_t is None else given.steel_weight_t
     length = hull.length_overall_m
-    semi_kg = given.semi_concentrated_weight_t * KG_PER_T
     steel = shaped(
         "steel", steel_t * KG_PER_T, structure.x_m, structure.steel_area_m2, lumps=structure.transverse_steel_m3
     )
-    machinery = uniform("machinery", given.machinery_share * semi_kg, MACHINERY[0] * length, MACHINERY[1] * length)
-    deck_machinery = uniform(
-        "deck machinery",
-        (1 - given.machinery_share) * semi_kg,
-        DECK_MACHINERY[0] * length,
-        DECK_MACHINERY[1] * length,
+    expected = watson.machinery_and_outfit(particulars, displacement_t)
+    beyond_t = given.beyond_steel_t
+    classes = (
+        _given_classes(given, length) if beyond_t is not None or expected is None else _estimated(expected, length)
     )
+    if beyond_t is None:
+        beyond_t = 0.0 if expected is None else expected.together.weight_t
     return LightShip(
         items=(
             steel,
-            machinery,
-            deck_machinery,
+            *classes,
             *(item_along(item, hull, structure, particulars.draught_m) for item in given.items),
         ),
         steel_weight_t=steel_t,
         steel_estimate=estimate,
         steel_given=given.steel_weight_t is not None,
-        machinery_and_outfit_estimate=watson.machinery_and_outfit_weight(particulars, displacement_t),
+        beyond_steel_t=beyond_t,
+        beyond_steel_given=given.beyond_steel_t is not None,
+        machinery_and_outfit_estimate=None if expected is None else expected.together,
+    )
+
+
+def _given_classes(given: WeightsInput, length_m: float) -> tuple[Distribution, ...]:
+    semi_kg = (given.semi_concentrated_weight_t or 0.0) * KG_PER_T
+    aft, fore = given.machinery_share * semi_kg, (1 - given.machinery_share) * semi_kg
+    return (
+        uniform("machinery", aft, MACHINERY[0] * length_m, MACHINERY[1] * length_m),
+        uniform("deck machinery", fore, DECK_MACHINERY[0] * length_m, DECK_MACHINERY[1] * length_m),
+    )
+
+
+def _estimated(expected: watson.MachineryAndOutfit, length_m: float) -> tuple[Distribution, ...]:
+    machinery, outfit = expected.machinery_t * KG_PER_T, expected.outfit_t * KG_PER_T
+    return (
+        uniform("machinery", machinery, MACHINERY[0] * length_m, MACHINERY[1] * length_m),
+        uniform("outfit", outfit, 0.0, length_m),
     )
 
 

@@ -130,7 +130,7 @@ def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ())
 
 
 def _read(sheet: Sheet, ship: Ship, corrections: Sequence[Correction]) -> PictureReading:
-    path, source, main = sheet.path, ship.body_plan, ship.particulars
+    path, source, main = sheet.path, ship.picture, ship.particulars
     named_at_all = bool(source.aft_station_names or source.fore_station_names)
     labels = sheet.labels if named_at_all else ()
     placed = place_corrections(corrections, {half: ink.frame for half, ink in sheet.halves.items()}, sheet.reduction)

@@ -23,7 +23,13 @@ GRID = "#e4e8ec"
 # One colour a loading condition, in the order of ship.toml; repeated where there are more.
 SERIES = (ACCENT, WARM, "#4f7f3f", "#7d4f8a", "#8a7a2a")
 # By the name of the weight; the two kinds of machinery are told apart from hull and cargo.
-WEIGHT_COLOURS = {"steel": "#5d7388", "machinery": "#b5532a", "deck machinery": "#dba35a", "deadweight": "#b9cbd9"}
+WEIGHT_COLOURS = {
+    "steel": "#5d7388",
+    "machinery": "#b5532a",
+    "deck machinery": "#dba35a",
+    "outfit": "#dba35a",
+    "deadweight": "#b9cbd9",
+}
 # Weights of other names, the items of a list, in turn.
 ITEM_COLOURS = ("#7f9f6f", "#a98bb3", "#c7b35f", "#6fa3a8", "#8794a1")
 

@@ -8,7 +8,9 @@ from matplotlib.figure import Figure
 from hullform.body_plan import Half
 from hullform.outcome import Run
 from hullform.report.drawing import ACCENT, PAGE_WIDTH, QUIET, SERIES, WARM, Picture, as_svg, finish
+from hullform.report.wording import words_of_form
 from hullform.rounding import significant
+from hullform.ship_body_plan import PictureSource
 
 FIT_POINTS = 80
 FIT_WIDTH = 4.0
@@ -23,7 +25,8 @@ HALF_COLOURS: dict[Half, str] = {"aft": WARM, "fore": ACCENT}
 def body_plan_figure(run: Run) -> Picture:
     """Every station as traced, in thin black, over the curves that stand for it, in colour."""
     particulars = run.ship.particulars
-    aft_sign = -1.0 if run.ship.body_plan.aft_side == "left" else 1.0
+    source = run.ship.body_plan
+    aft_sign = 1.0 if isinstance(source, PictureSource) and source.aft_side == "right" else -1.0
     side: dict[Half, float] = {"aft": aft_sign, "fore": -aft_sign}
     across = 1.17 * particulars.breadth_m
     lowest, highest = -0.04 * particulars.depth_m, 1.04 * float(run.hull.top_height_m.max())
@@ -52,7 +55,7 @@ def body_plan_figure(run: Run) -> Picture:
         f"T {particulars.draught_m:g} m", (across / 2, particulars.draught_m), (-2, 3),
         textcoords="offset points", ha="right", fontsize=8,
     )  # fmt: skip
-    axes.plot([], [], color="black", linewidth=0.7, label="traced")
+    axes.plot([], [], color="black", linewidth=0.7, label=f"stations, {words_of_form(run).stations}")
     axes.plot([], [], color=HALF_COLOURS["aft"], linewidth=FIT_WIDTH, alpha=FIT_ALPHA, label="model, aft half")
     axes.plot([], [], color=HALF_COLOURS["fore"], linewidth=FIT_WIDTH, alpha=FIT_ALPHA, label="model, fore half")
     axes.set_xlim(-across / 2, across / 2)
@@ -62,8 +65,9 @@ def body_plan_figure(run: Run) -> Picture:
     return as_svg(
         figure,
         "body-plan-fit",
-        "Stations as traced (thin, black) over the curves that stand for them (broad, coloured).",
-        f"Body plan with {len(run.hull.fits)} stations: traced curves lie over their models.",
+        f"Stations, {words_of_form(run).stations} (thin, black), over the curves that stand for them (broad, "
+        "coloured).",
+        f"Body plan with {len(run.hull.fits)} stations: their curves lie over their models.",
     )
 
 

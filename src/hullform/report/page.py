@@ -8,7 +8,7 @@ import platform
 from collections.abc import Iterable, Mapping
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import jinja2
 import numpy as np
@@ -33,12 +33,16 @@ from hullform.report.wording import (
     proven_error,
     reading_of_mode,
     springing_rows,
+    words_of_form,
 )
 from hullform.rounding import as_given, per_cent, short, signed, significant
 from hullform.ship_kinds import published_like
 from hullvib.model_spread import FLEXURAL_SPREAD, MASS_SPREAD, SHEAR_SPREAD
 from hullvib.real_ships import RATIO_LIMITS, ratios
 from hullvib.resonance import KEEP_CLEAR
+
+if TYPE_CHECKING:
+    from hullform.picture.reading import PictureReading
 
 REPORT_NAME = "report.html"
 FIGURES_NAME = "figures"
@@ -58,6 +62,7 @@ CHECK_LABELS = {
     "given-trim": "Trim of the given draughts less that of the equilibrium",
     "closing": "Bending moment in still water left at the fore end",
     "light-ship": "Light ship less steel, within a factor of two of Watson’s estimate",
+    "bare-light-ship": "Machinery and outfit in the light ship",
     "equivalent-thickness": "Midship second moment, given over modelled",
     "hatch-openings": "Hatch openings of a container ship over her breadth",
     "steel-estimate": "Numeral within those behind the estimated steel weight",
@@ -95,7 +100,7 @@ def draw_pictures(run: Run) -> dict[str, Picture]:
     """Every figure of the report, by name."""
     with house_style():
         pictures = [
-            _overlay(run),
+            *(_overlay(run, reading) for reading in (run.reading,) if reading is not None),
             hull_figures.body_plan_figure(run),
             hull_figures.area_figure(run),
             hull_view.still_picture(run.hull, run.at_draught.draught_m),
@@ -151,6 +156,8 @@ def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
         "pictures": pictures,
         "viewer": _script_text(viewer),
         "stations": _stations(run),
+        "form": words_of_form(run),
+        "not_drawn": run.body_plan.source == "particulars",
         "failed": {name: failed_checks(condition.checks) for name, condition in run.conditions.items()},
         "failed_of_ship": failed_checks(run.checks),
         "check_labels": CHECK_LABELS,
@@ -188,15 +195,15 @@ def hertz(angular_frequency: float) -> float:
     return angular_frequency / (2 * math.pi)
 
 
-def _overlay(run: Run) -> Picture:
+def _overlay(run: Run, reading: PictureReading) -> Picture:
     import cv2
 
     from hullform.picture.overlay import draw_overlay
 
-    _, encoded = cv2.imencode(".jpg", draw_overlay(run.reading), [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY])
+    _, encoded = cv2.imencode(".jpg", draw_overlay(reading), [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY])
     return Picture(
         "overlay",
-        f"{run.ship.body_plan.image} as read: traced stations in colour over the faded picture.",
+        f"{run.ship.picture.image} as read: traced stations in colour over the faded picture.",
         f"The body plan of {run.ship.particulars.name} with the traced station curves drawn over it.",
         "jpg",
         encoded.tobytes(),

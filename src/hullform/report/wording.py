@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from hullform.body_plan import Source
 from hullform.in_service import HARDLY_EXCITED, Response, Springing
-from hullform.outcome import ConditionRun
+from hullform.outcome import ConditionRun, Run
 from hullform.rounding import significant
 from hullvib import springing
 from hullvib.distortion import Shift
@@ -18,6 +20,50 @@ from hullvib.uniform_beam import frequency_parameters
 HARDLY_CORRELATED = 0.1
 # A shift of less than this share of the length is not to be seen in the figure.
 HARDLY_SHIFTED = 0.005
+
+
+@dataclass(frozen=True)
+class WordsOfForm:
+    """How the page speaks of where a ship's form comes from.
+
+    Attributes:
+        heading: of the section on it.
+        account: what was done, in a sentence; its picture stands in its place where there is one.
+        stations: what her stations are.
+        verb: how a figure of the hull came about.
+    """
+
+    heading: str
+    account: str
+    stations: str
+    verb: str
+
+
+_FORMS: dict[Source, WordsOfForm] = {
+    "picture": WordsOfForm("The picture", "", "traced from the picture", "as read"),
+    "offsets": WordsOfForm(
+        "The table of offsets", "Her stations stand in {file}, point by point.", "as the table has them", "as read"
+    ),
+    "mesh": WordsOfForm(
+        "The mesh",
+        "Her stations are cut from the surface in {file}, closer together at the ends and where the areas change fast.",
+        "cut from the mesh",
+        "as read",
+    ),
+    "particulars": WordsOfForm(
+        "The form",
+        "There is no drawing of her: sectional areas of a given fullness and centre of buoyancy, and a rectellipse of "
+        "that area at every station, stand for one.",
+        "made of the particulars",
+        "as formed",
+    ),
+}
+
+
+def words_of_form(run: Run) -> WordsOfForm:
+    """How to speak of where a run's form comes from."""
+    words, file = _FORMS[run.body_plan.source], run.ship.body_plan.file
+    return words if file is None else replace(words, account=words.account.format(file=file.name))
 
 
 def reading_of_mode(condition: ConditionRun, index: int) -> str:

@@ -54,7 +54,7 @@ class Desk:
     def __init__(self, ship: Ship) -> None:
         self.ship = ship
         self._saved()  # so that a damaged review is told before a page opens
-        rows, columns = load_grey(ship.body_plan.image_path, ship.body_plan.page).shape
+        rows, columns = load_grey(ship.picture.image_path, ship.picture.page).shape
         self.size_px = (columns, rows)
         self._sheets: OrderedDict[str, Sheet] = OrderedDict()
         self._reading: PictureReading | None = None
@@ -69,7 +69,7 @@ class Desk:
         Raises:
             ReviewError: the review that lies there by now is damaged, or was made of another picture.
         """
-        source, main = self.ship.body_plan, self.ship.particulars
+        source, main = self.ship.picture, self.ship.particulars
         with self._saving:
             saved, revision = self._saved(), revision_of(self.ship)
         document: Document = {
@@ -170,7 +170,7 @@ class Desk:
         return read_review(self.ship) or new_review(self.ship)
 
     def _sheet(self, ship: Ship) -> Sheet:
-        source = ship.body_plan
+        source = ship.picture
         given = "" if source.calibration is None else source.calibration.model_dump_json()
         key = f"{source.aft_side} {given}"
         if key not in self._sheets:

@@ -39,7 +39,7 @@ def review_app(desk: Desk, token: str) -> Starlette:
         return HTMLResponse(page)
 
     async def picture(_: Request) -> Response:
-        source = desk.ship.body_plan
+        source = desk.ship.picture
         content, media_type = await run_in_threadpool(shown_picture, source.image_path, source.page)
         return Response(content, media_type=media_type)
 

@@ -36,7 +36,7 @@ def reading_document(sheet: Sheet, reading: PictureReading, ship: Ship) -> Docum
     heights = [share * reading.draught_m for share in WATERLINE_SHARES]
     heights.append((reading.draught_m + reading.depth_m) / 2)
     evidence = {half: Evidence(sheet.halves[half], sheet.reduction) for half in HALVES}
-    names = {half: ship.body_plan.names_of(half) for half in HALVES}
+    names = {half: ship.picture.names_of(half) for half in HALVES}
     curves = [_curve(seen, evidence[seen.half], names[seen.half]) for seen in reading.curves]
     return {
         "calibration": calibration_document(reading.calibration, sheet),
@@ -90,7 +90,7 @@ def standing(confidence: float) -> Literal["sure", "fair", "poor"]:
 
 
 def _half(half: Half, ship: Ship, stations: tuple[Station, ...], curves: list[Document]) -> Document:
-    names = ship.body_plan.names_of(half)
+    names = ship.picture.names_of(half)
     found = {station.x_m: station for station in stations if station.half == half}
     residual: dict[float, float] = {}
     for curve in curves:

@@ -95,7 +95,7 @@ def read_half(
     Raises:
         PictureError: too few curves.
     """
-    source = ship.body_plan
+    source = ship.picture
     names = source.names_of(half)
     prepared, heeded = correct_ink(sheet.halves[half], placed)
     frame, size = prepared.frame, prepared.frame.half_breadth_px

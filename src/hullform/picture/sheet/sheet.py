@@ -65,7 +65,7 @@ def prepare_sheet(ship: Ship) -> Sheet:
     Raises:
         PictureError: no readable picture, no calibration, or one that cannot be.
     """
-    path, source, main = ship.body_plan.image_path, ship.body_plan, ship.particulars
+    path, source, main = ship.picture.image_path, ship.picture, ship.particulars
     whole = load_grey(path, source.page)
     size_px = (whole.shape[1], whole.shape[0])
     grey, reduction = reduced(whole)
