@@ -19,7 +19,7 @@ POINTS = [13, 49, 193]  # a side of each of a hundred sections: 5 to 77 thousand
 def mesh(points: int) -> trimesh.Trimesh:
     s = np.linspace(-1.0, 1.0, 100)
     one = np.ones(100)
-    hull = Hull(
+    hull = Hull.of_super_ellipses(
         50 * (1 + s), 8 * (1 - s**4), 9 * one, 9 * one, 1 + 8 * (1 - s**2), 1 + 6 * (1 - s**2),
         100.0, 100.0, 0.0, 16.0, 9.0, 6.0,
     )  # fmt: skip
