@@ -140,6 +140,7 @@ class Solution(_Table):
     frequency_tail: bool | None = None
     flow: str | None = None
     panels: int | None = None
+    depth_m: Finite | None = None
     sections: int | None = None
     lengthwise: str | None = None
     asymmetry: Finite | None = None
@@ -180,15 +181,17 @@ class RigidMotionRecord(_Table):
 
 class InWaterRecord(_Table):
     """The water about a condition. But for `strips_rad_s` and `frequency_ratios` all is of the girder with shear and
-    of the panels; masses are for a largest amplitude of 1 m, forces per length and unit acceleration of the mode."""
+    of the panels; masses are for a largest amplitude of 1 m, forces per length and unit acceleration of the mode.
+    depth_m is null in deep water; strips_rad_s is null where the water has a bottom, which strips cannot have."""
 
     density_kg_m3: Finite
+    depth_m: Finite | None
     panels: int
     panel_volume_m3: Finite
     wet_from_m: Finite
     wet_to_m: Finite
     asymmetry: Finite
-    strips_rad_s: dict[str, Frequencies]
+    strips_rad_s: dict[str, Frequencies] | None
     frequency_ratios: dict[str, list[Finite]]
     heave: RigidMotionRecord
     pitch: RigidMotionRecord

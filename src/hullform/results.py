@@ -230,7 +230,8 @@ def _condition(whole: Run, name: str) -> ConditionRecord:
 
 def _wet(run: ConditionRun) -> tuple[Modes, ...]:
     water = run.in_water
-    return tuple(found.modes for found in (water.euler, water.shear, water.strips_euler, water.strips_shear))
+    solved = (water.euler, water.shear, water.strips_euler, water.strips_shear)
+    return tuple(found.modes for found in solved if found is not None)
 
 
 def _in_water(water: InWater) -> InWaterRecord:
@@ -238,12 +239,15 @@ def _in_water(water: InWater) -> InWaterRecord:
     wet_from, wet_to = water.panels.extent_m
     return InWaterRecord(
         density_kg_m3=water.flow.density_kg_m3,
+        depth_m=water.depth_m,
         panels=2 * len(water.panels),
         panel_volume_m3=water.panels.volume_m3,
         wet_from_m=wet_from,
         wet_to_m=wet_to,
         asymmetry=shear.added_mass.asymmetry,
-        strips_rad_s={
+        strips_rad_s=None
+        if water.strips_euler is None or water.strips_shear is None
+        else {
             "euler": water.strips_euler.modes.angular_frequencies.tolist(),
             "shear": water.strips_shear.modes.angular_frequencies.tolist(),
         },

@@ -100,6 +100,7 @@ class Water(Table):
     """[water]: what she floats in."""
 
     density_kg_m3: Positive = 1025.0
+    depth_m: Positive | None = None
 
 
 class EmpiricalInput(Table):
