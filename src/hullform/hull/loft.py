@@ -20,6 +20,7 @@ from hullform.hull.ladder import Choice
 from hullform.hull.lofted_stations import Particulars, loft_stations
 from hullform.hull.sections import Sections, SectionSet, checked_parameter, quadrature
 from hullform.hull.surface import closed_surface
+from hullform.quantities import SEA_WATER_KG_M3
 
 if TYPE_CHECKING:
     import trimesh
@@ -196,7 +197,7 @@ class Hull:
         return float(floating.buoyancy(self.x_m, self.sections, draught_m).volume)
 
     def hydrostatics(
-        self, draught_m: float | None = None, density: float = 1025.0, trim_m: float = 0.0
+        self, draught_m: float | None = None, density: float = SEA_WATER_KG_M3, trim_m: float = 0.0
     ) -> Hydrostatics:
         """Return what the hull displaces at a draught halfway between the perpendiculars, in m (default: the design's).
 
@@ -212,7 +213,7 @@ class Hull:
                 "draught_m, or the scale of the body plan"
             )
         if not density > 0:
-            raise HullError(f"water density {density:g} kg/m3 is not possible; sea water has 1025")
+            raise HullError(f"water density {density:g} kg/m3 is not possible; sea water has {SEA_WATER_KG_M3:g}")
         waterline = self.waterline(draught + trim_m / 2, draught - trim_m / 2)
         heights = waterline.heights(quadrature(self.x_m)[0])
         under = floating.buoyancy(self.x_m, self.sections, heights, _DEPTH_TOLERANCE * depth)
@@ -251,7 +252,7 @@ class Hull:
         under = self.sections_at(x).cut(heights[:, None])
         return BonjeanCurves(x, heights, under.area.T, under.moment_z.T)
 
-    def draught_for(self, mass_kg: float, density: float = 1025.0) -> float:
+    def draught_for(self, mass_kg: float, density: float = SEA_WATER_KG_M3) -> float:
         """Return the even-keel draught in m at which the hull displaces a mass in kg of water of a density in kg/m3.
 
         Raises HullError for a mass not positive, or more than she displaces at her depth amidships.
@@ -267,7 +268,7 @@ class Hull:
         """What she displaces below a waterline; raises HullError where nothing of her is under water."""
         return floating_position(self.x_m, self.sections, waterline)
 
-    def equilibrium(self, mass_kg: float, lcg_x_m: float, density: float = 1025.0) -> FloatingPosition:
+    def equilibrium(self, mass_kg: float, lcg_x_m: float, density: float = SEA_WATER_KG_M3) -> FloatingPosition:
         """Float her under a mass in kg with its centre of gravity at an x in m, in water of a density in kg/m3.
 
         Raises HullError for a mass not positive or more than she displaces to her deck, and for a centre of gravity so
