@@ -14,7 +14,6 @@ from hullform.rounding import short, significant
 from hullform.ship import Particulars
 from hullform.ship_structure import StructureInput, Superstructure
 from hullvib.plausibility import frequency_limits_hz
-from hullvib.real_ships import RATIO_LIMITS, widened
 
 # Reading, fitting and lofting together are good to some tenths of a per cent; ten times that is a fault somewhere.
 DISPLACEMENT_LIMIT_PERCENT = 1.0
@@ -267,39 +266,4 @@ def check_frequency(first_hz: float, length_m: float) -> Check:
         "Hz",
         "check the units of youngs_modulus_pa, midship_second_moment_m4 and the weights",
         usual=sum(frequency_limits_hz(length_m)) / 20,
-    )
-
-
-def checks_of_ratios(ratios: tuple[float, float], uncertainties: tuple[float, float], medium: str) -> tuple[Check, ...]:
-    """The 3-node and the 4-node frequency over the 2-node one against ships as they are.
-
-    The band of ships is widened by the model's own uncertainty of the ratio. None of a dry girder: the water lies
-    amidships more than at the ends, and of a light ship it outweighs her, so that dry ratios are others.
-
-    Args:
-        ratios: 3-node and 4-node over 2-node frequency.
-        uncertainties: of each, relative.
-        medium: "wet" or "dry".
-    """
-    if medium == "dry":
-        return ()
-    three_node, four_node = zip(ratios, uncertainties, RATIO_LIMITS, strict=True)
-    return (
-        _against_ships("three-node-ratio", "3-node", *three_node),
-        _against_ships("four-node-ratio", "4-node", *four_node),
-    )
-
-
-def _against_ships(id: str, mode: str, ratio: float, uncertainty: float, band: tuple[float, float]) -> Check:
-    low, high = band
-    return within(
-        id,
-        f"{mode} over 2-node frequency against ships as they are ({low:g} to {high:g}, widened by the "
-        f"{significant(100 * uncertainty, 2)} % to which this model knows it)",
-        ratio,
-        widened(band, uncertainty),
-        "",
-        "usual causes: the shear area (midship_shear_area_m2, or the members behind it), I(x) towards the ends, the "
-        "mass at the ends",
-        usual=(low + high) / 2,
     )

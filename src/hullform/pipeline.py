@@ -21,6 +21,7 @@ from hullform.loading.items import KG_PER_T
 from hullform.outcome import ConditionRun, Distortion, Run
 from hullform.ship import Ship
 from hullform.ship_body_plan import MeshSource, OffsetsSource, PictureSource
+from hullform.wet_checks import checks_of_ratios
 from hullvib import distortion
 from hullvib.bounds import Bracket, bracket
 from hullvib.errors import NotProven
@@ -193,7 +194,7 @@ def _vibrate(ship: Ship, afloat: ShipAfloat, condition: ConditionAfloat, in_wate
     quoted = in_water.shear.modes
     frequency = checks.check_frequency(float(quoted.frequencies_hz[0]), girder.length)
     _, three_node, four_node, *_ = ratio_uncertainty(quoted)
-    of_ships = checks.checks_of_ratios(
+    of_ships = checks_of_ratios(
         ratios(quoted.angular_frequencies), (float(three_node), float(four_node)), quoted.medium
     )
     return ConditionRun(

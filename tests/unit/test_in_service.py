@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 
 import hullvib
-from hullform import checks
 from hullform.errors import ShipFileError
 from hullform.in_service import UNIT_FORCE_N, UNIT_MOMENT_N_M, InService, Resonances, in_service
 from hullform.service_results import ratios_record, resonance_record, springing_record
 from hullform.ship import Ship, read_ship
 from hullform.ship_kinds import published_like
+from hullform.wet_checks import checks_of_ratios
 from hullvib.model_spread import (
     FLEXURAL_SPREAD,
     MASS_SPREAD,
@@ -246,18 +246,18 @@ def test_every_published_ship_keeps_to_the_limits_which_are_its_own() -> None:
 
 
 def test_ratios_are_checked_in_water_alone() -> None:
-    assert checks.checks_of_ratios((2.5, 4.9), (0.0, 0.0), "dry") == ()
-    three_node, four_node = checks.checks_of_ratios((2.0, 3.5), (0.0, 0.0), "wet")
+    assert checks_of_ratios((2.5, 4.9), (0.0, 0.0), "dry") == ()
+    three_node, four_node = checks_of_ratios((2.0, 3.5), (0.0, 0.0), "wet")
     assert three_node.ok
     assert not four_node.ok
     assert four_node.limit == 3.2
     assert "shear area" in four_node.doubt
-    low, _ = checks.checks_of_ratios((1.6, 3.0), (0.0, 0.0), "wet")
+    low, _ = checks_of_ratios((1.6, 3.0), (0.0, 0.0), "wet")
     assert (low.ok, low.limit) == (False, 1.7)
 
 
 def test_the_band_of_ships_is_widened_by_what_the_model_does_not_know() -> None:
-    three_node, four_node = checks.checks_of_ratios((1.6, 3.3), (0.04, 0.05), "wet")
+    three_node, four_node = checks_of_ratios((1.6, 3.3), (0.04, 0.05), "wet")
     assert (three_node.ok, three_node.limit) == (False, pytest.approx(1.632))
     assert (four_node.ok, four_node.limit) == (True, pytest.approx(3.36))
     assert "2.8 to 3.2, widened by the 5.0 %" in four_node.title
