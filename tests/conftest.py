@@ -1,8 +1,10 @@
-"""What several kinds of test share: the ships of bodyplans/, each run once a worker, and the driver of browsers."""
+"""What several kinds of test share: the ships of bodyplans/, each run once, and the driver of browsers."""
 
 from __future__ import annotations
 
+import fcntl
 import json
+import os
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,17 +27,24 @@ class FinishedRun:
 
 @pytest.fixture(scope="session")
 def finished_run(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], FinishedRun]:
-    """Runs a ship of bodyplans/ once and hands out what it wrote."""
+    """Runs a ship of bodyplans/ once, for all workers together, and hands out what it wrote."""
+    base = tmp_path_factory.getbasetemp()
+    shared = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "finished-runs"
+    shared.mkdir(exist_ok=True)
     known: dict[str, FinishedRun] = {}
 
     def run(ship: str) -> FinishedRun:
         if ship not in known:
-            from hullform.cli import main
+            folder, ended = shared / ship, shared / f"{ship}.exit-code"
+            with (shared / f"{ship}.lock").open("w") as lock:
+                fcntl.flock(lock, fcntl.LOCK_EX)
+                if not ended.exists():
+                    from hullform.cli import main
 
-            folder = tmp_path_factory.mktemp("runs") / ship
-            code = main(["run", str(ROOT / "bodyplans" / ship / "ship.toml"), "-o", str(folder)])
+                    code = main(["run", str(ROOT / "bodyplans" / ship / "ship.toml"), "-o", str(folder), "--force"])
+                    ended.write_text(str(code))
             results = json.loads((folder / "results.json").read_text(encoding="utf-8"))
-            known[ship] = FinishedRun(code, folder, results)
+            known[ship] = FinishedRun(int(ended.read_text()), folder, results)
         return known[ship]
 
     return run

@@ -19,7 +19,7 @@ from hullform.picture.reading import PictureReading, read_picture
 from hullform.ship import read_ship
 
 BODYPLANS = Path(__file__).parents[2] / "bodyplans"
-SHIPS = ("scim-containership", "ds-tanker", "wigley")
+SHIPS = ("scim-containership", "ds-tanker", "wigley", "handymax-bulk-carrier", "fast-ropax")
 FURTHER = list(further_pictures())
 
 

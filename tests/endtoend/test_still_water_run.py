@@ -13,9 +13,9 @@ from hullform import read_ship
 
 ROOT = Path(__file__).parent.parent.parent
 CONDITIONS = [
-    (ship, condition.name)
-    for ship in ("scim-containership", "ds-tanker", "wigley")
-    for condition in read_ship(ROOT / "bodyplans" / ship / "ship.toml").conditions
+    (path.parent.name, condition.name)
+    for path in sorted((ROOT / "bodyplans").glob("*/ship.toml"))
+    for condition in read_ship(path).conditions
 ]
 Runs = Callable[[str], Any]
 

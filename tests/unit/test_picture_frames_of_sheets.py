@@ -99,6 +99,18 @@ def test_figures_in_a_column_are_no_side() -> None:
     assert found == pytest.approx(400, abs=4)
 
 
+def test_sides_are_found_though_ink_is_lost_along_the_centre_line_and_where_the_base_line_leaves_it() -> None:
+    ink = np.zeros((700, 1200), np.float32)
+    cv2.line(ink, (600, 40), (600, 660), 1.0, 2)
+    cv2.line(ink, (150, 650), (1050, 650), 1.0, 2)
+    for side in (-1, 1):
+        cv2.line(ink, (600 + side * 400, 100), (600 + side * 400, 650), 1.0, 2)  # the line of B/2
+        cv2.line(ink, (600, 600), (600 + side * 300, 100), 1.0, 2)  # a station, short of it
+    ink[300:330, 590:610] = 0.0  # a blot of white on the centre line, and one between the station's foot and the base
+    ink[620:635, 590:610] = 0.0
+    assert outermost_half_breadth(ink, (600.0, 650.0), 0.0) == pytest.approx(400, abs=4)
+
+
 def test_waterlines_may_be_missing_where_the_rest_has_no_multiple() -> None:
     assert any(abs(comb.spacing_px - 93.7) < 0.2 for comb in find_combs(np.array([0.0, 434.2, 468.5, 562.2, 655.9])))
 

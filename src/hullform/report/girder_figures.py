@@ -28,6 +28,9 @@ from hullvib.plots import plot_modes
 
 SHOWN_MODES = 3
 PANELS_ABREAST = 3
+# Of the figure of mass, in inches: one panel, what its title and the figures of its axis need, a row of its legend.
+PANEL_HEIGHT, PANEL_GAP, TITLE_HEIGHT, LEGEND_ROW = 1.75, 0.8, 0.28, 0.19
+LEGEND_COLUMNS = 3
 # A difference below this, in per cent, is round-off and has no place on a logarithmic axis.
 SMALLEST_SHOWN_PERCENT = 1e-8
 
@@ -35,16 +38,20 @@ SMALLEST_SHOWN_PERCENT = 1e-8
 def mass_figure(run: Run) -> Picture:
     """m(x) of every condition, its weights stacked (the paper's figures 1 and 3, a)."""
     conditions = list(run.conditions.values())
-    figure = Figure(figsize=(PAGE_WIDTH, 0.45 + 2.15 * len(conditions)))
-    panels = figure.subplots(len(conditions), 1, sharex=True, squeeze=False)[:, 0]
-    height = figure.get_figheight()
-    figure.subplots_adjust(left=0.075, right=0.79, top=1 - 0.24 / height, bottom=0.45 / height, hspace=0.28)
-    for axes, condition in zip(panels, conditions, strict=True):
+    weights = [[item for item in condition.items if item.mass_kg > 0.0] for condition in conditions]
+    # each panel with its legend below it, as high as the weights need
+    legends = [LEGEND_ROW * -(-(len(items) + 1) // LEGEND_COLUMNS) for items in weights]
+    height = sum(legends) + len(conditions) * (PANEL_HEIGHT + PANEL_GAP)
+    figure = Figure(figsize=(PAGE_WIDTH, height))
+    foot = height
+    for condition, items, legend in zip(conditions, weights, legends, strict=True):
+        foot -= PANEL_HEIGHT + PANEL_GAP + legend
+        axes = figure.add_axes((0.075, (foot + PANEL_GAP - TITLE_HEIGHT + legend) / height, 0.9, PANEL_HEIGHT / height))
         breaks = condition.girder.breaks
         x = np.repeat(breaks, 2)[1:-1]
         below = np.zeros(x.size)
         others = itertools.cycle(ITEM_COLOURS)
-        for item in condition.items:
+        for item in items:
             left, right = item.at_piece_ends(breaks)
             above = below + np.column_stack([left, right]).ravel() / 1e3
             label = f"{item.name}, {significant(item.mass_kg / 1e3)} t"
@@ -52,12 +59,20 @@ def mass_figure(run: Run) -> Picture:
             axes.fill_between(x, below, above, color=colour, linewidth=0, label=label)
             below = above
         axes.plot(x, below, color=INK, linewidth=1.1, label="m(x)")
-        finish(axes, "", "m(x), t/m", condition.girder.length)
+        finish(axes, "x from the aft end, m", "m(x), t/m", condition.girder.length)
         axes.set_ylim(0.0, 1.06 * float(below.max()))
         axes.set_title(f"{condition.condition.title}, {significant(condition.mass_kg / 1e3)} t")
         handles, labels = axes.get_legend_handles_labels()
-        axes.legend(handles[::-1], labels[::-1], loc="center left", bbox_to_anchor=(1.0, 0.5), handlelength=1.2)
-    panels[-1].set_xlabel("x from the aft end, m")
+        axes.legend(
+            handles,
+            labels,
+            loc="upper left",
+            bbox_to_anchor=(0.0, -0.45 / PANEL_HEIGHT),
+            ncols=LEGEND_COLUMNS,
+            handlelength=1.2,
+            borderaxespad=0.0,
+            fontsize="small",
+        )
     return as_svg(
         figure,
         "mass",

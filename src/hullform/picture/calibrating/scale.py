@@ -22,6 +22,7 @@ FEWEST_TEETH = 3  # different multiples, zero included, that make a grid: the tw
 FULL, LEAST_FULL = 0.6, 0.45  # share of the teeth up to the last that are there
 LEAST_HALF_BREADTH = 0.05  # of the picture's width: less is the centre line itself
 LEAST_SIDE = 0.05  # of the height above the base line: upright ink that counts as a ship's side
+LEAST_PIECE = 0.05  # of the centre line's ink: a piece of it
 HIGHEST_FIGURE = 0.024  # of the picture's width: figures beside the waterlines may touch them, in two rows
 BREAK_OF_SIDE = 0.003  # of the picture's width: of dashes, and of lost ink
 SIDE_WINDOW = 0.004  # of the picture's width: how far a ship's side may lean within that
@@ -52,7 +53,12 @@ def outermost_half_breadth(
     keys = keys[keys > 0]
     if keys.size == 0:
         return None
-    body = labels == np.bincount(keys).argmax()
+    # lost ink may break the centre line, and the base line off it: what hangs on any of them counts; a border only
+    # crosses the centre line
+    pieces = np.bincount(keys)
+    at_origin = labels[bottom - top - 3 : bottom - top + 4, max(centre - 3, 0) : centre + 4]
+    known = np.union1d(np.flatnonzero(pieces > LEAST_PIECE * pieces.sum()), at_origin[at_origin > 0])
+    body = np.isin(labels, known)
     body = body[: -8 - max(4, round(0.02 * (bottom - top)))]
     if not body.any():
         return None
