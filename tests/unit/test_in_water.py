@@ -98,3 +98,11 @@ def test_a_depth_is_above_nought(tmp_path: Path) -> None:
     assert math.isclose(
         afloat(tmp_path, "[water]\ndepth_m = 20.0\n").conditions[0].at_rest.position.volume_m3, 22464, rel_tol=0.01
     )
+
+
+def test_draughts_that_no_depth_has_are_told_with_their_condition(tmp_path: Path) -> None:
+    file = tmp_path / "ship.toml"
+    file.write_text(TOML.replace("draught_aft_m = 8.0", "draught_aft_m = 30.0"), encoding="utf-8")
+    ship = read_ship(file)
+    with pytest.raises(HullError, match=r"ship.toml: condition 'loaded', mean of draught_aft_m and .* draught 19 m"):
+        load_ship(ship, hull_of(ship, trace(ship)))
