@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from hullvib import Girder
+from hullvib.sea import GRAVITY_M_S2, SEA_WATER_KG_M3
 from hullvib.uniform_beam import uniform_modes
 from hullvib.wet import AddedMass, Panels, Sections, spheroid_added_mass
 
@@ -85,7 +86,8 @@ class SpheroidFlow:
 
     length: float
     breadth_m: float
-    density_kg_m3: float = 1025.0
+    density_kg_m3: float = SEA_WATER_KG_M3
+    gravity_m_s2: float = GRAVITY_M_S2
 
     def added_mass(self, motions):
         def of_mu(mu):
@@ -99,4 +101,4 @@ class SpheroidFlow:
         mu, weights = np.polynomial.legendre.leggauss(200)
         shapes = motions.deflections(0.5 * self.length * (mu + 1.0))
         breadth = self.breadth_m * np.sqrt(1.0 - mu**2)
-        return (shapes * (weights * breadth * 0.5 * self.length * self.density_kg_m3 * 9.81)) @ shapes.T
+        return (shapes * (weights * breadth * 0.5 * self.length * self.density_kg_m3 * self.gravity_m_s2)) @ shapes.T

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from hullform import checks
 from hullform.at_rest import AtRest, at_rest
 from hullform.checks import Check
+from hullform.errors import HullError
 from hullform.hull.hydrostatics import Hydrostatics
 from hullform.hull.loft import Hull
 from hullform.loading.distributions import Distribution, girder_from
@@ -146,7 +147,11 @@ def _afloat(
     aft, fore = condition.draught_aft_m, condition.draught_fore_m
     given = None if aft is None or fore is None else hull.waterline(aft, fore)
     even_keel = depth if mass > capacity else hull.draught_for(mass, density)
-    floating = hull.hydrostatics(even_keel if given is None else given.draught_m, density)
+    try:
+        floating = hull.hydrostatics(even_keel if given is None else given.draught_m, density)
+    except HullError as error:
+        keys = "" if given is None else ", mean of draught_aft_m and draught_fore_m"
+        raise HullError(f"{ship.path}: condition '{condition.name}'{keys}: {error}") from error
     trim = checks.check_trim(girder.centre_of_gravity, floating)
     found = [checks.check_floating(mass, capacity, depth), trim]
     if held_against is not None:

@@ -14,7 +14,6 @@ from hullform.rounding import short, significant
 from hullform.ship import Particulars
 from hullform.ship_structure import StructureInput, Superstructure
 from hullvib.plausibility import frequency_limits_hz
-from hullvib.real_ships import RATIO_LIMITS
 
 # Reading, fitting and lofting together are good to some tenths of a per cent; ten times that is a fault somewhere.
 DISPLACEMENT_LIMIT_PERCENT = 1.0
@@ -242,7 +241,7 @@ def check_floating(mass_kg: float, capacity_kg: float, depth_m: float) -> Check:
 def check_trim(lcg_m: float, floating: Hydrostatics) -> Check:
     """The trim that the weights' lever to the buoyancy would cause: t = lever LPP / BM_L, by the stern positive.
 
-    The girder is analysed on even keel; a lever that trims her far is a fault of the weights.
+    A lever that trims her far is a fault of the weights: without draughts of her own she is then put on even keel.
     BM_L stands for GM_L, some per cent more: the trim is an estimate.
     """
     lever = floating.lcb_x_m - lcg_m
@@ -252,7 +251,7 @@ def check_trim(lcg_m: float, floating: Hydrostatics) -> Check:
         100 * lever / floating.bm_longitudinal_m,
         (-TRIM_BY_BOW_LIMIT_PERCENT_LPP, TRIM_BY_STERN_LIMIT_PERCENT_LPP),
         "% of LPP",
-        "the frequencies are for even keel: spread the weights so that LCG meets LCB, or add ballast",
+        "spread the weights so that LCG meets LCB, or add ballast",
         usual=0.0,
     )
 
@@ -267,39 +266,4 @@ def check_frequency(first_hz: float, length_m: float) -> Check:
         "Hz",
         "check the units of youngs_modulus_pa, midship_second_moment_m4 and the weights",
         usual=sum(frequency_limits_hz(length_m)) / 20,
-    )
-
-
-def checks_of_ratios(ratios: tuple[float, float], medium: str) -> tuple[Check, ...]:
-    """The 3-node and the 4-node frequency over the 2-node one against ships as they are.
-
-    None of a dry girder: the water lies amidships more than at the ends, and of a light ship it outweighs her, so that
-    dry ratios are others.
-    """
-    if medium == "dry":
-        return ()
-    three_node, four_node = RATIO_LIMITS
-    remedy = (
-        "usual causes: the shear area (midship_shear_area_m2, or the members behind it), I(x) towards the ends, the "
-        "mass at the ends"
-    )
-    return (
-        within(
-            "three-node-ratio",
-            "3-node over 2-node frequency against ships as they are",
-            ratios[0],
-            three_node,
-            "",
-            remedy,
-            usual=sum(three_node) / 2,
-        ),
-        within(
-            "four-node-ratio",
-            "4-node over 2-node frequency against ships as they are",
-            ratios[1],
-            four_node,
-            "",
-            remedy,
-            usual=sum(four_node) / 2,
-        ),
     )

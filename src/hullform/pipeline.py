@@ -13,6 +13,7 @@ from hullform import checks
 from hullform.afloat import ConditionAfloat, ShipAfloat, load_ship
 from hullform.body_plan import BodyPlan
 from hullform.empirical_figures import in_water_figures
+from hullform.errors import HullError
 from hullform.hull.loft import Hull
 from hullform.in_service import in_service
 from hullform.in_water import InWater, put_in_water
@@ -20,11 +21,13 @@ from hullform.loading.items import KG_PER_T
 from hullform.outcome import ConditionRun, Distortion, Run
 from hullform.ship import Ship
 from hullform.ship_body_plan import MeshSource, OffsetsSource, PictureSource
+from hullform.wet_checks import checks_of_ratios
 from hullvib import distortion
 from hullvib.bounds import Bracket, bracket
 from hullvib.errors import NotProven
 from hullvib.finite_elements import FiniteElements
 from hullvib.girder import Girder
+from hullvib.model_spread import ratio_uncertainty
 from hullvib.modes import Modes
 from hullvib.real_ships import ratios
 from hullvib.ritz import Ritz
@@ -164,15 +167,18 @@ def run_ship(ship: Ship, progress: Progress = lambda step: None) -> Run:
 
 
 def _in_water(ship: Ship, afloat: ShipAfloat, condition: ConditionAfloat) -> InWater:
-    return put_in_water(
-        afloat.hull,
-        afloat.structure,
-        condition.girder,
-        condition.at_rest.position,
-        ship.water.density_kg_m3,
-        modes=MODES,
-        functions=FUNCTIONS,
-    )
+    try:
+        return put_in_water(
+            afloat.hull,
+            afloat.structure,
+            condition.girder,
+            condition.at_rest.position,
+            ship.water,
+            modes=MODES,
+            functions=FUNCTIONS,
+        )
+    except HullError as error:
+        raise HullError(f"{ship.path}: condition '{condition.condition.name}': {error}") from error
 
 
 def _vibrate(ship: Ship, afloat: ShipAfloat, condition: ConditionAfloat, in_water: InWater) -> ConditionRun:
@@ -187,7 +193,10 @@ def _vibrate(ship: Ship, afloat: ShipAfloat, condition: ConditionAfloat, in_wate
     }
     quoted = in_water.shear.modes
     frequency = checks.check_frequency(float(quoted.frequencies_hz[0]), girder.length)
-    of_ships = checks.checks_of_ratios(ratios(quoted.angular_frequencies), quoted.medium)
+    _, three_node, four_node, *_ = ratio_uncertainty(quoted)
+    of_ships = checks_of_ratios(
+        ratios(quoted.angular_frequencies), (float(three_node), float(four_node)), quoted.medium
+    )
     return ConditionRun(
         condition=condition.condition,
         items=condition.items,

@@ -14,6 +14,8 @@ Share = Annotated[float, Field(strict=True, ge=0, le=1, allow_inf_nan=False)]
 # A shell is thin where its mid-line may stand for it; no ship has a mean plate of a decimetre.
 PlateThickness = Annotated[float, Field(strict=True, gt=0, le=0.1, allow_inf_nan=False)]
 
+SEA_WATER_KG_M3 = 1025.0
+
 
 class Table(BaseModel):
     """A table of ship.toml: frozen, and no key of it is unknown."""

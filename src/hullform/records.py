@@ -9,6 +9,7 @@ from pydantic import ConfigDict, Field
 from hullform.record_table import Finite, Frequencies
 from hullform.record_table import RecordTable as _Table
 from hullform.service_records import RatiosRecord, ResonanceRecord, SpringingRecord
+from hullform.water_records import InWaterRecord
 
 
 class Provenance(_Table):
@@ -140,6 +141,7 @@ class Solution(_Table):
     frequency_tail: bool | None = None
     flow: str | None = None
     panels: int | None = None
+    depth_m: Finite | None = None
     sections: int | None = None
     lengthwise: str | None = None
     asymmetry: Finite | None = None
@@ -166,39 +168,6 @@ class Headline(_Table):
     theory: str
     frequencies_hz: Frequencies
     band: None = None
-
-
-class RigidMotionRecord(_Table):
-    """Heave or pitch in the limit of high frequency, which is not theirs: told apart by shape, and no figure to quote.
-
-    `rigid_share` is the share of rigid-body motion in the kinetic energy, water included.
-    """
-
-    angular_frequency_rad_s: Finite
-    rigid_share: Finite
-
-
-class InWaterRecord(_Table):
-    """The water about a condition. But for `strips_rad_s` and `frequency_ratios` all is of the girder with shear and
-    of the panels; masses are for a largest amplitude of 1 m, forces per length and unit acceleration of the mode."""
-
-    density_kg_m3: Finite
-    panels: int
-    panel_volume_m3: Finite
-    wet_from_m: Finite
-    wet_to_m: Finite
-    asymmetry: Finite
-    strips_rad_s: dict[str, Frequencies]
-    frequency_ratios: dict[str, list[Finite]]
-    heave: RigidMotionRecord
-    pitch: RigidMotionRecord
-    generalised_mass_kg: list[Finite]
-    generalised_added_mass_kg: list[Finite]
-    hydrostatic_stiffness_shares: list[Finite]
-    effective_factors: list[Finite]
-    mac_dry: list[list[Finite]]
-    edges_m: list[Finite]
-    force_kg_per_m: list[list[Finite]]
 
 
 class DistortionRecord(_Table):

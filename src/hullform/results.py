@@ -17,7 +17,6 @@ from pathlib import Path
 from hullform.checks import Check
 from hullform.files import PROGRAM
 from hullform.hull.equilibrium import FloatingPosition
-from hullform.in_water import InWater
 from hullform.loading.still_water import Extremes, sampled
 from hullform.outcome import Array, ConditionRun, Run
 from hullform.record_table import Frequencies
@@ -30,12 +29,10 @@ from hullform.records import (
     FloatingRecord,
     Headline,
     HullRecord,
-    InWaterRecord,
     LightShipRecord,
     PlatesRecord,
     Provenance,
     Results,
-    RigidMotionRecord,
     Solution,
     StationRecord,
     StillWaterRecord,
@@ -43,10 +40,10 @@ from hullform.records import (
     WeightRecord,
 )
 from hullform.service_results import ratios_record, resonance_record, springing_record
+from hullform.water_results import in_water_record
 from hullvib.bounds import Bracket
 from hullvib.mode_files import solution_record
 from hullvib.modes import Modes
-from hullvib.wet import RigidMotion
 
 
 def results_of(run: Run) -> Results:
@@ -211,7 +208,7 @@ def _condition(whole: Run, name: str) -> ConditionRecord:
             name: found.modes.angular_frequencies.tolist()
             for name, found in (("euler", run.in_water.euler), ("shear", run.in_water.shear))
         },
-        in_water=_in_water(run.in_water),
+        in_water=in_water_record(run.in_water),
         bracket_rad_s=_bracket(run.bracket),
         empirical_rad_s={name: found.tolist() for name, found in run.empirical.figures_rad_s.items()},
         empirical_inputs=dict(run.empirical.inputs),
@@ -230,38 +227,8 @@ def _condition(whole: Run, name: str) -> ConditionRecord:
 
 def _wet(run: ConditionRun) -> tuple[Modes, ...]:
     water = run.in_water
-    return tuple(found.modes for found in (water.euler, water.shear, water.strips_euler, water.strips_shear))
-
-
-def _in_water(water: InWater) -> InWaterRecord:
-    shear = water.shear
-    wet_from, wet_to = water.panels.extent_m
-    return InWaterRecord(
-        density_kg_m3=water.flow.density_kg_m3,
-        panels=2 * len(water.panels),
-        panel_volume_m3=water.panels.volume_m3,
-        wet_from_m=wet_from,
-        wet_to_m=wet_to,
-        asymmetry=shear.added_mass.asymmetry,
-        strips_rad_s={
-            "euler": water.strips_euler.modes.angular_frequencies.tolist(),
-            "shear": water.strips_shear.modes.angular_frequencies.tolist(),
-        },
-        frequency_ratios={"euler": water.euler.frequency_ratios.tolist(), "shear": shear.frequency_ratios.tolist()},
-        heave=_rigid_motion(shear.heave),
-        pitch=_rigid_motion(shear.pitch),
-        generalised_mass_kg=shear.generalised_mass.tolist(),
-        generalised_added_mass_kg=shear.generalised_added_mass.tolist(),
-        hydrostatic_stiffness_shares=shear.hydrostatic_stiffness_share.tolist(),
-        effective_factors=water.effective_factors.tolist(),
-        mac_dry=shear.mac_dry.tolist(),
-        edges_m=shear.added_mass.edges_m.tolist(),
-        force_kg_per_m=shear.force_kg_per_m.tolist(),
-    )
-
-
-def _rigid_motion(found: RigidMotion) -> RigidMotionRecord:
-    return RigidMotionRecord(angular_frequency_rad_s=found.angular_frequency, rigid_share=found.share)
+    solved = (water.euler, water.shear, water.strips_euler, water.strips_shear)
+    return tuple(found.modes for found in solved if found is not None)
 
 
 def _floating(position: FloatingPosition, density_kg_m3: float) -> FloatingRecord:

@@ -112,12 +112,15 @@ class PublishedRecord(RecordTable):
 
 
 class RatiosRecord(RecordTable):
-    """The headline's 3- and 4-node over the 2-node frequency, the limits of ships in water, and such ships like her."""
+    """The headline's 3- and 4-node over the 2-node frequency, the model's own relative uncertainty of each, the limits
+    of ships in water, which the checks widen by it, and such ships like her."""
 
     medium: str
     theory: str
     three_to_two_node: Finite
+    three_to_two_node_uncertainty: Finite
     three_to_two_node_limits: tuple[Finite, Finite]
     four_to_two_node: Finite
+    four_to_two_node_uncertainty: Finite
     four_to_two_node_limits: tuple[Finite, Finite]
     published_ships: list[PublishedRecord]

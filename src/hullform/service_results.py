@@ -19,6 +19,7 @@ from hullform.service_records import (
 )
 from hullform.ship import Particulars
 from hullform.ship_kinds import published_like
+from hullvib.model_spread import ratio_uncertainty
 from hullvib.modes import Modes
 from hullvib.real_ships import RATIO_LIMITS, ratios
 
@@ -26,12 +27,15 @@ from hullvib.real_ships import RATIO_LIMITS, ratios
 def ratios_record(modes: Modes, particulars: Particulars) -> RatiosRecord:
     """The headline's ratios beside those of ships as they are."""
     three_node, four_node = ratios(modes.angular_frequencies)
+    _, uncertainty_of_three, uncertainty_of_four, *_ = ratio_uncertainty(modes).tolist()
     return RatiosRecord(
         medium=modes.medium,
         theory=modes.theory,
         three_to_two_node=three_node,
+        three_to_two_node_uncertainty=uncertainty_of_three,
         three_to_two_node_limits=RATIO_LIMITS[0],
         four_to_two_node=four_node,
+        four_to_two_node_uncertainty=uncertainty_of_four,
         four_to_two_node_limits=RATIO_LIMITS[1],
         published_ships=[
             PublishedRecord(

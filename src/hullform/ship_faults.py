@@ -9,11 +9,6 @@ from typing import Any
 
 from pydantic import BaseModel, Tag
 
-# Keys that the format keeps for later: refused by name, so that nobody believes that they count.
-RESERVED = {
-    "water": {"depth_m"},
-}
-
 # Keys that somebody may well try: what to write in their place.
 INSTEAD = {
     "station_names": "each half has names of its own: give aft_station_names and fore_station_names, as long as "
@@ -50,8 +45,6 @@ def fault_line(fault: Mapping[str, Any], root: type[BaseModel]) -> str:
 def _unknown_key(places: list[Any], root: type[BaseModel]) -> str:
     keys = [str(place) for place in places if isinstance(place, str)]
     key, table = keys[-1], keys[0] if len(keys) > 1 else ""
-    if key in RESERVED.get(table, set()):
-        return "is reserved for a later version and has no effect yet; remove it"
     if table == "body_plan" and key in INSTEAD:
         return INSTEAD[key]
     model, models, names = root, [root], iter(keys[:-1])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from hullform.in_service import Resonances
 from hullform.outcome import Run
 from hullform.rounding import short, significant
+from hullvib.model_spread import ratio_uncertainty
 from hullvib.real_ships import RATIO_LIMITS, ratios
 from hullvib.resonance import SURE_MODES
 
@@ -22,7 +23,7 @@ def summary(run: Run) -> str:
         f"{of_ship.name}: LOA {of_ship.length_overall_m:g} m, LPP {of_ship.length_between_perpendiculars_m:g} m, "
         f"B {of_ship.breadth_m:g} m, D {of_ship.depth_m:g} m, T {of_ship.draught_m:g} m",
         *NOT_DRAWN * (run.body_plan.source == "particulars"),
-        "Vertical bending in deep water at rest, girder with shear deflection; the last column is dry.",
+        f"Vertical bending in {_water(run)} at rest, girder with shear deflection; the last column is dry.",
         "",
         f"{'condition':<14}{'mass, t':>9}{'draught, m':>12}{'mode':>6}{'nodes':>7}"
         f"{'Hz':>10}{'cycles/min':>12}{'rad/s':>10}{'dry, Hz':>11}",
@@ -47,13 +48,18 @@ def summary(run: Run) -> str:
     return "\n".join(lines)
 
 
+def _water(run: Run) -> str:
+    depth = run.ship.water.depth_m
+    return "deep water" if depth is None else f"water {depth:g} m deep (so without the check by strips)"
+
+
 def _ratios(run: Run) -> list[str]:
     """Frequencies over the first one's, beside those of ships as they are."""
     limits = ", ".join(f"{low:g}-{high:g}" for low, high in RATIO_LIMITS)
     own = []
     for name, condition in run.conditions.items():
-        three_node, four_node = ratios(condition.modes.angular_frequencies)
-        own.append(f"{name} {significant(three_node)}, {significant(four_node)}")
+        found = zip(ratios(condition.modes.angular_frequencies), ratio_uncertainty(condition.modes)[1:], strict=False)
+        own.append(f"{name} {', '.join(f'{significant(ratio)} ± {100 * known:.0f} %' for ratio, known in found)}")
     medium = next(iter(run.conditions.values())).modes.medium
     return [
         f"3-node and 4-node over 2-node frequency, ships in water: {limits}",

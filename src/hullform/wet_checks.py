@@ -1,4 +1,4 @@
-"""Checks of the water about a condition: whether the panels hold her volume, and two methods against each other."""
+"""Checks in water: whether the panels hold her volume, two methods against each other, and her against other ships."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hullform.checks import DISPLACEMENT_LIMIT_PERCENT, Check, deviation
+from hullform.checks import DISPLACEMENT_LIMIT_PERCENT, Check, deviation, within
+from hullform.rounding import significant
+from hullvib.real_ships import RATIO_LIMITS, widened
 
 # Flat panels lie within a curved hull: half a per cent, and less where she is full.
 PANEL_VOLUME_LIMIT_PERCENT = DISPLACEMENT_LIMIT_PERCENT
@@ -48,4 +50,39 @@ def check_strips(by_strips_rad_s: Mapping[str, ArrayLike], by_panels_rad_s: Mapp
         "%",
         "the panels' figures stand; strips miss blunt ends and flat sections: look at the wetted hull, and take the "
         "difference for the uncertainty of the added mass",
+    )
+
+
+def checks_of_ratios(ratios: tuple[float, float], uncertainties: tuple[float, float], medium: str) -> tuple[Check, ...]:
+    """The 3-node and the 4-node frequency over the 2-node one against ships as they are.
+
+    The band of ships is widened by the model's own uncertainty of the ratio. None of a dry girder: the water lies
+    amidships more than at the ends, and of a light ship it outweighs her, so that dry ratios are others.
+
+    Args:
+        ratios: 3-node and 4-node over 2-node frequency.
+        uncertainties: of each, relative.
+        medium: "wet" or "dry".
+    """
+    if medium == "dry":
+        return ()
+    three_node, four_node = zip(ratios, uncertainties, RATIO_LIMITS, strict=True)
+    return (
+        _against_ships("three-node-ratio", "3-node", *three_node),
+        _against_ships("four-node-ratio", "4-node", *four_node),
+    )
+
+
+def _against_ships(id: str, mode: str, ratio: float, uncertainty: float, band: tuple[float, float]) -> Check:
+    low, high = band
+    return within(
+        id,
+        f"{mode} over 2-node frequency against ships as they are ({low:g} to {high:g}, widened by the "
+        f"{significant(100 * uncertainty, 2)} % to which this model knows it)",
+        ratio,
+        widened(band, uncertainty),
+        "",
+        "usual causes: the shear area (midship_shear_area_m2, or the members behind it), I(x) towards the ends, the "
+        "mass at the ends",
+        usual=(low + high) / 2,
     )

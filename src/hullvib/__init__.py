@@ -26,7 +26,7 @@ from hullvib.girder_files import parse_girder, read_girder, write_girder
 from hullvib.girder_stack import GirderStack
 from hullvib.many import ManyModes, solve_many
 from hullvib.mode_files import write_modes
-from hullvib.model_spread import model_uncertainty
+from hullvib.model_spread import model_uncertainty, ratio_uncertainty
 from hullvib.modes import Modes
 from hullvib.point_masses import PointMass
 from hullvib.ritz import Ritz
@@ -69,6 +69,7 @@ __all__ = [
     "orthogonality",
     "parse_girder",
     "participation",
+    "ratio_uncertainty",
     "read_girder",
     "real_ships",
     "resonance",

@@ -4,8 +4,13 @@ With s_n the share of the mode's strain energy that is shear,
 
     d ln w_n = (1 - s_n) / 2 d ln EI + s_n / 2 d ln kGA - 1/2 d ln m,
 
-and the three, taken as independent, add by their squares. It has nothing to do with the numerical error of the beam
-solution, which is smaller by many powers of ten.
+and the three, taken as independent, add by their squares. In the ratio of two modes' frequencies the same EI, kGA and m
+stand twice, so that only the difference of their shares counts:
+
+    d ln (w_n / w_1) = (s_n - s_1) / 2 (d ln kGA - d ln EI).
+
+It has nothing to do with the numerical error of the beam solution, which is smaller by many powers of ten; nor does it
+know that EI, kGA or m may be wrong in one part of the ship and right in another.
 """
 
 from __future__ import annotations
@@ -44,3 +49,12 @@ def model_uncertainty(
     """u_n: relative uncertainty of each natural frequency, (modes,), from those of m, EI and kGA as a whole."""
     share = shear_energy_shares(modes)
     return np.asarray(0.5 * np.sqrt(((1 - share) * flexural) ** 2 + (share * shear) ** 2 + mass**2), dtype=np.float64)
+
+
+def ratio_uncertainty(modes: Modes, flexural: float = FLEXURAL_SPREAD, shear: float = SHEAR_SPREAD) -> Array:
+    """Relative uncertainty of each natural frequency over the first, (modes,), from those of EI and kGA as a whole.
+
+    0 for the first mode, and for theories without shear; the mass as a whole drops out.
+    """
+    share = shear_energy_shares(modes)
+    return np.asarray(0.5 * np.abs(share - share[0]) * np.hypot(flexural, shear), dtype=np.float64)

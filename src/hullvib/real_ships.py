@@ -55,6 +55,15 @@ def ratios(frequencies: ArrayLike) -> tuple[float, float]:
     return float(second / first), float(third / first)
 
 
+def widened(limits: tuple[float, float], uncertainty: float) -> tuple[float, float]:
+    """Limits of a ratio for a model that knows it to a relative uncertainty: (1 - u) low to (1 + u) high.
+
+    The table has few figures and the model has a spread of its own: only what lies beyond both is told.
+    """
+    low, high = limits
+    return low * (1.0 - uncertainty), high * (1.0 + uncertainty)
+
+
 def ships_like(kind: Kind, length_m: float) -> tuple[PublishedFrequencies, ...]:
     """The published ships of a kind and of about a length; there may be none."""
     return tuple(ship for ship in SHIPS if ship.kind == kind and abs(ship.length_m / length_m - 1.0) <= LIKE_LENGTH)

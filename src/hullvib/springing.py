@@ -20,10 +20,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hullvib.errors import ArgumentError
+from hullvib.sea import GRAVITY_M_S2
 
 Array = NDArray[np.float64]
 
-GRAVITY_M_S2 = 9.81
 ORDERS = (1, 2)
 _ROUND_OFF = 1e-12
 

@@ -13,6 +13,7 @@ from hullform import read_ship, trace
 from hullform.afloat import load_ship
 from hullform.in_water import put_in_water
 from hullform.pipeline import hull_of
+from hullform.ship import Water
 from hullform.wetted import wetted_panels, wetted_sections
 from hullvib import StodolaRitz, wet
 
@@ -25,7 +26,7 @@ def test_500_panels_against_2000(ship: str) -> None:
     afloat = load_ship(described, hull_of(described, trace(described)))
     for condition in afloat.conditions:
         position = condition.at_rest.position
-        run = put_in_water(afloat.hull, afloat.structure, condition.girder, position, 1025.0, modes=3, functions=12)
+        run = put_in_water(afloat.hull, afloat.structure, condition.girder, position, Water(), modes=3, functions=12)
         found = []
         for count, girthwise in ((33, 8), (67, 16)):
             panels = wetted_panels(wetted_sections(afloat.hull, position.waterline, count), girthwise)

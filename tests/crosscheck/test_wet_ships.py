@@ -20,6 +20,7 @@ from hullform import read_ship, trace
 from hullform.afloat import load_ship
 from hullform.in_water import put_in_water
 from hullform.pipeline import hull_of
+from hullform.ship import Water
 from hullvib.wet.capytaine_flow import CapytaineFlow
 
 ROOT = Path(__file__).parent.parent.parent
@@ -52,7 +53,7 @@ def test_wet_shear_flexible_frequencies(ship: str) -> None:
     for condition in afloat.conditions:
         girder = condition.girder
         run = put_in_water(
-            afloat.hull, afloat.structure, girder, condition.at_rest.position, 1025.0, modes=MODES, functions=12
+            afloat.hull, afloat.structure, girder, condition.at_rest.position, Water(), modes=MODES, functions=12
         )
         nodes, stiffness, mass = matrices(girder, ELEMENTS)
         water = CapytaineFlow(run.panels, neutral_axis_m=run.flow.neutral_axis_m)

@@ -11,13 +11,20 @@ import numpy as np
 import pytest
 
 import hullvib
-from hullform import checks
 from hullform.errors import ShipFileError
 from hullform.in_service import UNIT_FORCE_N, UNIT_MOMENT_N_M, InService, Resonances, in_service
 from hullform.service_results import ratios_record, resonance_record, springing_record
 from hullform.ship import Ship, read_ship
 from hullform.ship_kinds import published_like
-from hullvib.model_spread import FLEXURAL_SPREAD, MASS_SPREAD, SHEAR_SPREAD, model_uncertainty, shear_energy_shares
+from hullform.wet_checks import checks_of_ratios
+from hullvib.model_spread import (
+    FLEXURAL_SPREAD,
+    MASS_SPREAD,
+    SHEAR_SPREAD,
+    model_uncertainty,
+    ratio_uncertainty,
+    shear_energy_shares,
+)
 from hullvib.modes import Modes
 from hullvib.real_ships import RATIO_LIMITS, SHIPS, ratios
 
@@ -239,14 +246,41 @@ def test_every_published_ship_keeps_to_the_limits_which_are_its_own() -> None:
 
 
 def test_ratios_are_checked_in_water_alone() -> None:
-    assert checks.checks_of_ratios((2.5, 4.9), "dry") == ()
-    three_node, four_node = checks.checks_of_ratios((2.0, 3.5), "wet")
+    assert checks_of_ratios((2.5, 4.9), (0.0, 0.0), "dry") == ()
+    three_node, four_node = checks_of_ratios((2.0, 3.5), (0.0, 0.0), "wet")
     assert three_node.ok
     assert not four_node.ok
     assert four_node.limit == 3.2
     assert "shear area" in four_node.doubt
-    low, _ = checks.checks_of_ratios((1.6, 3.0), "wet")
+    low, _ = checks_of_ratios((1.6, 3.0), (0.0, 0.0), "wet")
     assert (low.ok, low.limit) == (False, 1.7)
+
+
+def test_the_band_of_ships_is_widened_by_what_the_model_does_not_know() -> None:
+    three_node, four_node = checks_of_ratios((1.6, 3.3), (0.04, 0.05), "wet")
+    assert (three_node.ok, three_node.limit) == (False, pytest.approx(1.632))
+    assert (four_node.ok, four_node.limit) == (True, pytest.approx(3.36))
+    assert "2.8 to 3.2, widened by the 5.0 %" in four_node.title
+
+
+def test_ratio_uncertainty_against_girders_of_other_rigidities() -> None:
+    def logarithms(flexural: float = 0.0, shear: float = 0.0, mass: float = 0.0) -> Any:
+        x, m, ei, kga = np.array([0.0, LENGTH]), np.array([8e4, 6e4]), np.array([3e13, 2e13]), np.array([5e10, 4e10])
+        girder = hullvib.Girder(x, m * (1 + mass), ei * (1 + flexural), kga * (1 + shear))
+        modes = hullvib.solve(girder, hullvib.StodolaRitz(functions=12, shear=True), modes=4)
+        return np.log(modes.angular_frequencies / modes.angular_frequencies[0]), modes
+
+    step = 1e-4
+    base, modes = logarithms()
+    by_flexural, by_shear, by_mass = (
+        (logarithms(**{name: step})[0] - base) / step for name in ("flexural", "shear", "mass")
+    )
+    np.testing.assert_allclose(by_mass, 0.0, atol=1e-9)
+    # first order: what is left is the second, step / 2 and less
+    np.testing.assert_allclose(by_shear, -by_flexural, atol=step)
+    wanted = np.hypot(FLEXURAL_SPREAD * by_flexural, SHEAR_SPREAD * by_shear)
+    np.testing.assert_allclose(ratio_uncertainty(modes), wanted, atol=step)
+    assert wanted[2] > 0.01
 
 
 def test_ships_of_her_kind_and_length(tmp_path: Path) -> None:

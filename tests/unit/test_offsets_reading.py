@@ -148,6 +148,8 @@ def test_units_and_the_place_of_the_zero_are_obeyed(tmp_path: Path) -> None:
         ),
         (WIDE.replace("8.5,7.5", "8.5,x"), "line 3, column 2: 'x' is no number"),
         (WIDE.replace("8.5,7.5", "8.5,-7.5"), "line 3: has a half-breadth below 0"),
+        (WIDE.replace("8.5,7.5,15", "8.5,,-15"), "line 3: has a half-breadth below 0"),
+        (POINTS.replace("10,15,17", '10,"15,17'), "line 4: has 2 cells, the header 3"),
         (WIDE.replace("8.5,7.5", "WL 2,7.5"), "line 3: 'wl 2' is no number, nor one of keel_height_m"),
         (WIDE.replace("8.5,7.5", ",7.5"), "line 3: a row or column has no height or station"),
         (WIDE.replace("17,15", "8.5,15"), "a height stands twice"),

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 
 from hullform.picture.calibrating.expected_lines import expected_lines, is_flat_of_bottom
-from hullform.picture.calibrating.lines import refine_line
+from hullform.picture.calibrating.straight_line import refine_line
 from hullform.picture.image.homography import similarity
 from hullform.picture.image.ink import ink_of
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from hullform.picture.calibrating.lines import HORIZONTAL, VERTICAL
+from hullform.picture.calibrating.line_mask import HORIZONTAL, VERTICAL
 from hullform.picture.checking.doubts import _runs_on
 from hullform.picture.image.ink import Ink
 from hullform.picture.pieces.ends import Ends, entry_cost

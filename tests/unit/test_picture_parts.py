@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from hullform.errors import PictureError
 from hullform.picture.calibrating.calibration import calibrate
-from hullform.picture.calibrating.lines import find_lines, subtract_lines
+from hullform.picture.calibrating.line_mask import subtract_lines
+from hullform.picture.calibrating.lines import find_lines
 from hullform.picture.image.ink import ink_of
 from hullform.picture.pieces.frame import DiagonalFrame
 from hullform.picture.pieces.ridges import find_peaks, find_tracklets

@@ -284,7 +284,7 @@ def test_the_midship_section_is_drawn_and_listed_with_its_thicknesses(run: Run, 
 
 def test_every_check_has_a_label_of_its_own() -> None:
     source = "".join(inspect.getsource(module) for module in (checks, rest_checks, wet_checks))
-    ids = set(re.findall(r'(?:within|deviation|Check)\(\s*"([a-z-]+)"', source))
+    ids = set(re.findall(r'(?:within|deviation|Check|_against_ships)\(\s*"([a-z-]+)"', source))
     assert len(ids) > 8
     assert ids == set(CHECK_LABELS)
 

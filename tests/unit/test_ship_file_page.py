@@ -15,7 +15,6 @@ from pydantic.fields import FieldInfo
 from hullform import Hull, trace
 from hullform.ship import Ship, ShipType, read_ship
 from hullform.ship_body_plan import MeshSource, ParticularsSource
-from hullform.ship_faults import RESERVED
 
 PAGE = (Path(__file__).parents[2] / "docs" / "ship-file.md").read_text(encoding="utf-8")
 EXAMPLE = re.compile(r"<!-- example: (\w+) -->\n```toml\n(.*?)```", re.DOTALL)
@@ -97,13 +96,6 @@ def test_every_table_has_a_section(table: str) -> None:
 
 def test_the_page_lists_every_type_and_no_other() -> None:
     assert list(rows(PAGE.split("### Types")[1].split("\n## ")[0])) == list(get_args(ShipType))
-
-
-def test_every_reserved_name_is_listed() -> None:
-    reserved = PAGE.split("\n## Reserved\n")[1].split("\n## ")[0]
-    for table, names in RESERVED.items():
-        for name in names:
-            assert (f"`{name}`" if table else f"`[{name}]`") in reserved
 
 
 def test_the_whole_example_is_accepted() -> None:

@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from hullvib.errors import ArgumentError
+from hullvib.sea import GRAVITY_M_S2
 from hullvib.springing import (
-    GRAVITY_M_S2,
     encounter_frequency,
     exciting_waves,
     wave_frequencies,

@@ -62,6 +62,9 @@ def read_csv(path: Path) -> CsvTable:
     if len(filled) < 2:
         raise BodyPlanError(f"{path}: has {len(filled)} rows; a table of offsets has a header and a row a point")
     separator = next((mark for mark in SEPARATORS if mark in filled[0][1]), ",")
-    rows = csv.reader([line for _, line in filled], delimiter=separator)
-    cells = tuple((number, tuple(cell.strip() for cell in row)) for (number, _), row in zip(filled, rows, strict=True))
-    return CsvTable(path, cells, decimal_comma=separator != ",")
+    cells = []
+    for number, line in filled:
+        # line by line: a quotation mark that is not closed, as of inches, must not swallow the lines below it
+        (row,) = csv.reader([line], delimiter=separator)
+        cells.append((number, tuple(cell.strip() for cell in row)))
+    return CsvTable(path, tuple(cells), decimal_comma=separator != ",")

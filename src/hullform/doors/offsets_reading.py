@@ -17,7 +17,6 @@ from hullform.ship import Particulars, Ship
 from hullform.ship_body_plan import METRES_PER, OffsetsSource
 
 REQUIRED = ("station_x_m", "half_breadth_m", "height_m")
-OPTIONAL = ("half", "curve", "point", "source", "confidence")
 # Of B/2, by which moulded offsets may lie beyond it without a word: plating, or a pen.
 _BROADER = 0.02
 # Of the ship's size: a table that is larger or smaller by more is in another unit.

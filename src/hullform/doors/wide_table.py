@@ -130,8 +130,8 @@ def _cells(table: CsvTable, columns: int) -> list[list[float]]:
             table.number(line, str(column), cell) if cell and cell != "-" else math.nan
             for column, cell in enumerate(filled, start=2)
         ]
-        breadths = [0.0] if cells[0].lower() in _HEIGHTS else itertools.compress(row, are_breadths)
-        if min(breadths, default=0.0) < 0:
+        breadths = [] if cells[0].lower() in _HEIGHTS else itertools.compress(row, are_breadths)
+        if any(breadth < 0 for breadth in breadths):
             raise BodyPlanError(
                 f"{table.path}, line {line}: has a half-breadth below 0; half-breadths are those of one side"
             )

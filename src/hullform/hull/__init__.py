@@ -6,7 +6,8 @@ from hullform.hull.equilibrium import FloatingPosition, Waterline
 from hullform.hull.fitting import SectionFit, fit_super_ellipse
 from hullform.hull.hydrostatics import BonjeanCurves, Hydrostatics
 from hullform.hull.ladder import SectionModel
-from hullform.hull.loft import Hull, Particulars
+from hullform.hull.loft import Hull
+from hullform.hull.lofted_stations import Particulars
 from hullform.hull.mesh_files import export_mesh
 from hullform.hull.sections import Sections
 from hullform.hull.super_ellipse import ShellSection, SuperEllipse, shell_section

@@ -1,10 +1,10 @@
-"""The hull: sections along the whole ship, lofted from the stations of a body plan."""
+"""The hull: her sections along the whole ship, and what follows of them: areas, waterlines, curves, a mesh."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,22 +13,14 @@ from hullform.body_plan import BodyPlan
 from hullform.errors import HullError
 from hullform.hull import hydrostatics as floating
 from hullform.hull.contours import parted_at_the_centre_line
-from hullform.hull.drawn import (
-    Extrapolation,
-    FittedStation,
-    extrapolated_spans,
-    fit_stations,
-    lofted_super_ellipses,
-    merge_halves,
-    station_places,
-)
+from hullform.hull.drawn import Extrapolation, FittedStation
 from hullform.hull.equilibrium import FloatingPosition, Waterline, equilibrium, floating_position, immersed_areas
 from hullform.hull.hydrostatics import BonjeanCurves, Hydrostatics
 from hullform.hull.ladder import Choice
-from hullform.hull.lofted_contours import lofted_contours, places_with_stations
-from hullform.hull.sections import Sections, SectionSet, quadrature
+from hullform.hull.lofted_stations import Particulars, loft_stations
+from hullform.hull.sections import Sections, SectionSet, checked_parameter, quadrature
 from hullform.hull.surface import closed_surface
-from hullform.hull.turning_back import doubts_of_turning_back
+from hullform.quantities import SEA_WATER_KG_M3
 
 if TYPE_CHECKING:
     import trimesh
@@ -38,23 +30,6 @@ Array = NDArray[np.float64]
 # A draught may exceed the depth amidships by this share of it: a hull drawn to her waterline, as Wigley's, is read to
 # no better.
 _DEPTH_TOLERANCE = 0.005
-
-
-class Particulars(Protocol):
-    """What a hull takes from the ship's particulars; all in m."""
-
-    @property
-    def length_overall_m(self) -> float: ...
-    @property
-    def length_between_perpendiculars_m(self) -> float: ...
-    @property
-    def aft_perpendicular_m(self) -> float: ...
-    @property
-    def breadth_m(self) -> float: ...
-    @property
-    def depth_m(self) -> float: ...
-    @property
-    def draught_m(self) -> float: ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,7 +109,7 @@ class Hull:
         """
         x = np.array(x_m, dtype=np.float64)
         given = {"half_breadth_m": half_breadth_m, "depth_m": depth_m, "top_height_m": top_height_m, "p": p, "q": q}
-        sections = Sections(*(_checked(name, values, x) for name, values in given.items()))
+        sections = Sections(*(checked_parameter(name, values, x) for name, values in given.items()))
         return cls(
             x, sections, length_overall_m, length_between_perpendiculars_m, aft_perpendicular_m, breadth_m,
             depth_moulded_m, draught_m,
@@ -146,49 +121,23 @@ class Hull:
     ) -> Hull:
         """Model the drawn stations and loft `stations` sections over the length overall.
 
-        Each station gets the first model of a ladder that is near enough (`ladder`), or the one that `sections` asks
-        for. A ship whose stations all are super-ellipses is lofted by their parameters; any other by matched points of
-        her sections (`Contours`), the drawn stations among the places. Sections stand closer together at the ends
-        (`drawn.station_places`). A station drawn on both halves counts once, as the mean; the halves' disagreement
-        beyond a pen's width becomes a doubt. Outside the outermost drawn stations the form is extrapolated, and
-        `extrapolated` says where.
+        `lofted_stations.loft_stations` says how.
 
         Raises HullError for fewer than three sections, a station outside the length overall or one without a shape.
         """
-        length, breadth = float(particulars.length_overall_m), float(particulars.breadth_m)
-        if stations < 3:
-            raise HullError(f"a hull needs three or more lofted sections; {stations} asked for")
-        for station in body_plan.stations:
-            if not -1e-6 * length <= station.x_m <= (1 + 1e-6) * length:
-                raise HullError(
-                    f"station {station.name} ({station.half} half) is at x = {station.x_m:g} m, outside the length "
-                    f"overall 0..{length:g} m; x counts from the aft end of the length overall, forward"
-                )
-        fits = fit_stations(body_plan, breadth, float(particulars.draught_m), sections)
-        merged, disagreements = merge_halves(fits, breadth)
-        drawn_x = np.array([station.x_m for station in merged])
-        x = station_places(length, stations)
-        lofted: SectionSet
-        if all(station.model is None or station.fit is not None for station in fits):
-            lofted = lofted_super_ellipses(merged, x)
-            for values in lofted:
-                values.setflags(write=False)
-        else:
-            x = places_with_stations(x, drawn_x)
-            lofted = lofted_contours(fits, x, breadth)
-        extrapolated, guesses = extrapolated_spans(drawn_x, length)
+        lofted = loft_stations(body_plan, particulars, stations, sections)
         return cls(
-            x_m=x,
-            sections=lofted,
-            length_overall_m=length,
+            x_m=lofted.x_m,
+            sections=lofted.sections,
+            length_overall_m=float(particulars.length_overall_m),
             length_between_perpendiculars_m=float(particulars.length_between_perpendiculars_m),
             aft_perpendicular_m=float(particulars.aft_perpendicular_m),
-            breadth_m=breadth,
+            breadth_m=float(particulars.breadth_m),
             depth_moulded_m=float(particulars.depth_m),
             draught_m=float(particulars.draught_m),
-            fits=fits,
-            extrapolated=extrapolated,
-            doubts=disagreements + guesses + doubts_of_turning_back(body_plan, fits, breadth / 2),
+            fits=lofted.fits,
+            extrapolated=lofted.extrapolated,
+            doubts=lofted.doubts,
         )
 
     @property
@@ -248,7 +197,7 @@ class Hull:
         return float(floating.buoyancy(self.x_m, self.sections, draught_m).volume)
 
     def hydrostatics(
-        self, draught_m: float | None = None, density: float = 1025.0, trim_m: float = 0.0
+        self, draught_m: float | None = None, density: float = SEA_WATER_KG_M3, trim_m: float = 0.0
     ) -> Hydrostatics:
         """Return what the hull displaces at a draught halfway between the perpendiculars, in m (default: the design's).
 
@@ -264,7 +213,7 @@ class Hull:
                 "draught_m, or the scale of the body plan"
             )
         if not density > 0:
-            raise HullError(f"water density {density:g} kg/m3 is not possible; sea water has 1025")
+            raise HullError(f"water density {density:g} kg/m3 is not possible; sea water has {SEA_WATER_KG_M3:g}")
         waterline = self.waterline(draught + trim_m / 2, draught - trim_m / 2)
         heights = waterline.heights(quadrature(self.x_m)[0])
         under = floating.buoyancy(self.x_m, self.sections, heights, _DEPTH_TOLERANCE * depth)
@@ -303,7 +252,7 @@ class Hull:
         under = self.sections_at(x).cut(heights[:, None])
         return BonjeanCurves(x, heights, under.area.T, under.moment_z.T)
 
-    def draught_for(self, mass_kg: float, density: float = 1025.0) -> float:
+    def draught_for(self, mass_kg: float, density: float = SEA_WATER_KG_M3) -> float:
         """Return the even-keel draught in m at which the hull displaces a mass in kg of water of a density in kg/m3.
 
         Raises HullError for a mass not positive, or more than she displaces at her depth amidships.
@@ -319,7 +268,7 @@ class Hull:
         """What she displaces below a waterline; raises HullError where nothing of her is under water."""
         return floating_position(self.x_m, self.sections, waterline)
 
-    def equilibrium(self, mass_kg: float, lcg_x_m: float, density: float = 1025.0) -> FloatingPosition:
+    def equilibrium(self, mass_kg: float, lcg_x_m: float, density: float = SEA_WATER_KG_M3) -> FloatingPosition:
         """Float her under a mass in kg with its centre of gravity at an x in m, in water of a density in kg/m3.
 
         Raises HullError for a mass not positive or more than she displaces to her deck, and for a centre of gravity so
@@ -357,22 +306,3 @@ class Hull:
 
         vertices, faces = closed_surface(self.x_m, self.sections.mesh_points(points))
         return trimesh.Trimesh(vertices, faces, process=False)
-
-
-def _checked(name: str, given: ArrayLike, x: Array) -> Array:
-    """One parameter of super-ellipse sections at x, read-only."""
-    values = np.array(given, dtype=np.float64)
-    if values.shape != x.shape or x.ndim != 1 or len(x) < 3:
-        raise HullError(
-            f"Hull: {name} has shape {values.shape} and x_m {x.shape}; give one value a section, three or more"
-        )
-    if not np.isfinite(values).all():
-        raise HullError(f"Hull: {name} holds a number that is not finite")
-    if name in ("half_breadth_m", "depth_m") and values.min() < 0:
-        raise HullError(f"Hull: {name} is {values.min():g} m at x = {x[values.argmin()]:g} m; it cannot be negative")
-    if name in "pq" and values.min() <= 0:
-        raise HullError(
-            f"Hull: exponent {name} is {values.min():g} at x = {x[values.argmin()]:g} m; it must be positive"
-        )
-    values.setflags(write=False)
-    return values

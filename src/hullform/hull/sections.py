@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import PchipInterpolator
 
+from hullform.errors import HullError
 from hullform.hull.arcs import curve_points
 from hullform.hull.super_ellipse import ShellSection, half_breadth_at, moment_below, shell_section
 
@@ -151,3 +152,22 @@ def quadrature(x: Array) -> tuple[Array, Array]:
     half_length = np.diff(x)[:, None] / 2
     middle = (x[1:] + x[:-1])[:, None] / 2
     return (middle + half_length * node).ravel(), (half_length * weight).ravel()
+
+
+def checked_parameter(name: str, given: ArrayLike, x: Array) -> Array:
+    """One parameter of super-ellipse sections at x, read-only. Raises HullError."""
+    values = np.array(given, dtype=np.float64)
+    if values.shape != x.shape or x.ndim != 1 or len(x) < 3:
+        raise HullError(
+            f"Hull: {name} has shape {values.shape} and x_m {x.shape}; give one value a section, three or more"
+        )
+    if not np.isfinite(values).all():
+        raise HullError(f"Hull: {name} holds a number that is not finite")
+    if name in ("half_breadth_m", "depth_m") and values.min() < 0:
+        raise HullError(f"Hull: {name} is {values.min():g} m at x = {x[values.argmin()]:g} m; it cannot be negative")
+    if name in "pq" and values.min() <= 0:
+        raise HullError(
+            f"Hull: exponent {name} is {values.min():g} at x = {x[values.argmin()]:g} m; it must be positive"
+        )
+    values.setflags(write=False)
+    return values

@@ -11,9 +11,10 @@ from dataclasses import dataclass
 
 from hullform.loading.gravity import GRAVITY_M_S2
 from hullform.ship import Particulars, ShipType
+from hullform.ship_operation import METRES_PER_NAUTICAL_MILE
 from hullform.ship_structure import Superstructure
 
-KNOTS_PER_M_S = 3600.0 / 1852.0
+KNOTS_PER_M_S = 3600.0 / METRES_PER_NAUTICAL_MILE
 # Slow-running diesel engine, dry, with its gearing and shafting left out (Practical Ship Design, p. 110).
 SLOW_DIESEL_T_PER_KW = 0.037
 # A house so broad, of the ship's breadth, is an erection from side to side.

@@ -37,8 +37,8 @@ from hullform.report.wording import (
 )
 from hullform.rounding import as_given, per_cent, short, signed, significant
 from hullform.ship_kinds import published_like
-from hullvib.model_spread import FLEXURAL_SPREAD, MASS_SPREAD, SHEAR_SPREAD
-from hullvib.real_ships import RATIO_LIMITS, ratios
+from hullvib.model_spread import FLEXURAL_SPREAD, MASS_SPREAD, SHEAR_SPREAD, ratio_uncertainty
+from hullvib.real_ships import RATIO_LIMITS, ratios, widened
 from hullvib.resonance import KEEP_CLEAR
 
 if TYPE_CHECKING:
@@ -168,6 +168,8 @@ def render(run: Run, pictures: Mapping[str, Picture], viewer: str) -> str:
         "services": [(held.condition.title, name, run.in_service[name]) for name, held in run.conditions.items()],
         "ratios": ratios,
         "ratio_limits": RATIO_LIMITS,
+        "ratio_uncertainty": ratio_uncertainty,
+        "widened": widened,
         "published_like": published_like(run.ship.particulars),
         "keep_clear": KEEP_CLEAR,
         "spreads": (MASS_SPREAD, FLEXURAL_SPREAD, SHEAR_SPREAD),

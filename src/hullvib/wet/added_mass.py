@@ -14,9 +14,6 @@ from hullvib.wet.motions import Motions
 
 Array = NDArray[np.float64]
 
-SEA_WATER_KG_M3 = 1025.0
-GRAVITY_M_S2 = 9.81
-
 NeutralAxis = float | tuple[ArrayLike, ArrayLike] | Callable[[Array], Array]
 """Height of the girder's neutral axis above the waterline in m, negative below: one number, (x, z) or a function."""
 
@@ -45,6 +42,11 @@ class Flow(Protocol):
     @property
     def density_kg_m3(self) -> float:
         """Of the water."""
+        ...
+
+    @property
+    def gravity_m_s2(self) -> float:
+        """Acceleration of free fall."""
         ...
 
     @property

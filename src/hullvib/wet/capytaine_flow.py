@@ -15,14 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullvib.errors import ArgumentError
-from hullvib.wet.added_mass import (
-    GRAVITY_M_S2,
-    SEA_WATER_KG_M3,
-    AddedMass,
-    NeutralAxis,
-    check_density,
-    heights_of,
-)
+from hullvib.sea import GRAVITY_M_S2, SEA_WATER_KG_M3
+from hullvib.wet.added_mass import AddedMass, NeutralAxis, check_density, heights_of
 from hullvib.wet.motions import Motions
 from hullvib.wet.panel_flow import added_mass_of, waterplane_stiffness
 from hullvib.wet.panels import Panels

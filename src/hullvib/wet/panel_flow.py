@@ -17,14 +17,8 @@ from numpy.typing import NDArray
 from scipy.linalg import lu_factor, lu_solve
 
 from hullvib.errors import ArgumentError, SolutionError
-from hullvib.wet.added_mass import (
-    GRAVITY_M_S2,
-    SEA_WATER_KG_M3,
-    AddedMass,
-    NeutralAxis,
-    check_density,
-    heights_of,
-)
+from hullvib.sea import GRAVITY_M_S2, SEA_WATER_KG_M3
+from hullvib.wet.added_mass import AddedMass, NeutralAxis, check_density, heights_of
 from hullvib.wet.influence import influence
 from hullvib.wet.motions import Motions
 from hullvib.wet.panels import Panels

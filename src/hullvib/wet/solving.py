@@ -16,7 +16,7 @@ from hullvib.girder import Girder
 from hullvib.modes import Modes, largest_amplitude
 from hullvib.solving import Method
 from hullvib.stodola import StodolaRitz
-from hullvib.wet.added_mass import GRAVITY_M_S2, Flow
+from hullvib.wet.added_mass import Flow
 from hullvib.wet.motions import RIGID, GirderMotions, MixedField
 from hullvib.wet.wet_modes import RigidMotion, WetModes
 
@@ -70,7 +70,7 @@ def solve(
     elastic = [n for n in range(len(squares)) if n not in (heave, pitch)][:modes]
     factors = np.ones(modes)
     if frequency_tail:
-        pick = [_with_tail(eigen, n, flow.breadth_m) for n in elastic]
+        pick = [_with_tail(eigen, n, flow.breadth_m / flow.gravity_m_s2) for n in elastic]
         squares, vectors = squares.copy(), vectors.copy()
         for n, (square, vector, _) in zip(elastic, pick, strict=True):
             squares[n], vectors[:, n] = square, vector
@@ -152,12 +152,12 @@ def _rigid_modes(shares: Array) -> tuple[int, int]:
 
 
 def _with_tail(
-    eigen: Callable[[float], tuple[Array, Array, Array]], mode: int, breadth_m: float
+    eigen: Callable[[float], tuple[Array, Array, Array]], mode: int, breadth_over_gravity: float
 ) -> tuple[float, Array, float]:
     """One mode's square, vector and the factor of its added mass, which depends on the frequency."""
     square, factor = float(eigen(1.0)[0][mode]), 1.0
     for _ in range(_TAIL_STEPS):
-        waves = square * breadth_m / (2.0 * GRAVITY_M_S2)
+        waves = square * breadth_over_gravity / 2.0
         factor = max(1.0 - 4.0 / (3.0 * np.pi * max(waves, 1e-300)), 0.0)
         squares, vectors, _ = eigen(factor)
         change, square = abs(float(squares[mode]) / square - 1.0), float(squares[mode])

@@ -16,6 +16,7 @@ from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from hullvib.errors import ArgumentError
+from hullvib.sea import SEA_WATER_KG_M3
 
 Array = NDArray[np.float64]
 
@@ -50,7 +51,7 @@ def spheroid_added_mass(
     motions: Callable[[Array], tuple[Array, Array]],
     length_m: float,
     breadth_m: float,
-    density_kg_m3: float = 1025.0,
+    density_kg_m3: float = SEA_WATER_KG_M3,
     terms: int = 40,
     points: int = 200,
 ) -> Array:

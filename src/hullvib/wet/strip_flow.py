@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from hullvib.errors import ArgumentError
 from hullvib.quadrature import composite
-from hullvib.wet.added_mass import GRAVITY_M_S2, SEA_WATER_KG_M3, AddedMass, check_density
+from hullvib.sea import GRAVITY_M_S2, SEA_WATER_KG_M3
+from hullvib.wet.added_mass import AddedMass, check_density
 from hullvib.wet.motions import RIGID, Motions
 from hullvib.wet.sections import Sections
 from hullvib.wet.spheroid import bending_factors, sliding_factors

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from hullform.body_plan import Calibration
 from hullform.errors import PictureError
 from hullform.picture.calibrating.expected_lines import drawn_alike, expected_lines, is_flat_of_bottom
-from hullform.picture.calibrating.lines import StraightLine, crossing
 from hullform.picture.calibrating.scale import Comb, Grid, find_grid, outermost_half_breadth
+from hullform.picture.calibrating.straight_line import StraightLine, crossing
 from hullform.picture.image.homography import describe, fit_points, fit_without_outliers, similarity
 from hullform.picture.image.ink import Ink
 from hullform.ship_body_plan import CalibrationGiven

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.body_plan import Calibration
-from hullform.picture.calibrating.lines import StraightLine, refine_line
+from hullform.picture.calibrating.straight_line import StraightLine, refine_line
 from hullform.picture.image.ink import Ink
 
 Array = NDArray[np.float64]

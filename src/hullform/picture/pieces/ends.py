@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from hullform.picture.calibrating.lines import HORIZONTAL, Mask
+from hullform.picture.calibrating.line_mask import HORIZONTAL, Mask
 from hullform.picture.image.ink import Ink
 from hullform.picture.pieces.frame import DiagonalFrame
 from hullform.picture.pieces.ridges import Tracklet

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.body_plan import Half
-from hullform.picture.calibrating.lines import BOLD, HORIZONTAL, VERTICAL, Mask
+from hullform.picture.calibrating.line_mask import BOLD, HORIZONTAL, VERTICAL, Mask
 from hullform.picture.image.ink import Ink
 from hullform.picture.pieces.dome import find_dome, only_contours
 from hullform.picture.pieces.frame import DiagonalFrame

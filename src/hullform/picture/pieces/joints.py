@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from hullform.picture.calibrating.lines import Mask
+from hullform.picture.calibrating.line_mask import Mask
 from hullform.picture.image.ink import Ink
 
 Array = NDArray[np.float64]

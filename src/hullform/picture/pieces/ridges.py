@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import median_filter
 
-from hullform.picture.calibrating.lines import BOLD, HORIZONTAL, VERTICAL, Mask
+from hullform.picture.calibrating.line_mask import BOLD, HORIZONTAL, VERTICAL, Mask
 from hullform.picture.image.ink import Ink
 from hullform.picture.pieces.frame import DiagonalFrame
 

@@ -14,7 +14,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from hullform.picture.calibrating.lines import BOLD, HORIZONTAL, VERTICAL, Mask
+from hullform.picture.calibrating.line_mask import BOLD, HORIZONTAL, VERTICAL, Mask
 from hullform.picture.image.ink import Ink
 from hullform.picture.pieces.diagonals import on_diagonals
 from hullform.picture.pieces.ends import Ends

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.errors import PictureError
-from hullform.picture.calibrating.lines import find_lines, subtract_lines
+from hullform.picture.calibrating.line_mask import subtract_lines
+from hullform.picture.calibrating.lines import find_lines
 from hullform.picture.image.ink import Ink
 from hullform.picture.pieces.half_ink import HalfInk
 

@@ -12,7 +12,8 @@ from pathlib import Path
 from hullform.body_plan import Half
 from hullform.errors import PictureError
 from hullform.picture.calibrating.calibration import CalibratedSheet, calibrate
-from hullform.picture.calibrating.lines import find_lines_and_border, subtract_lines
+from hullform.picture.calibrating.line_mask import subtract_lines
+from hullform.picture.calibrating.lines import find_lines_and_border
 from hullform.picture.image.image_files import Picture, load_grey
 from hullform.picture.image.ink import Ink, ink_of
 from hullform.picture.image.labels import Label, can_read_labels, read_labels

@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from hullform.picture.calibrating.lines import VERTICAL, Mask
+from hullform.picture.calibrating.line_mask import VERTICAL, Mask
 from hullform.picture.image.ink import Ink
 from hullform.picture.pieces.ends import CLOSE_TO_SIDE, LEAST_FLAT, LEAST_TURN, Ends, begins_on_level_line, end_fit
 from hullform.picture.pieces.frame import DiagonalFrame

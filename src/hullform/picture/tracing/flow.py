@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from hullform.picture.calibrating.lines import Mask
+from hullform.picture.calibrating.line_mask import Mask
 from hullform.picture.edits.constraints import UNCONSTRAINED, Constraints, Links
 from hullform.picture.edits.line_edits import end_of, start_of
 from hullform.picture.image.ink import Ink
