@@ -28,6 +28,7 @@ from hullform.ship_structure import StructureInput
 from hullform.ship_weights import ConditionInput, WeightsInput
 
 REVIEW_SUFFIX = ".review.json"
+UNLIKE_ANY_SHIP = 100.0  # L / B and B / D, either way: beyond it one of the two is in another unit
 
 ShipType = Literal[
     "tanker",
@@ -87,6 +88,13 @@ class Particulars(Table):
                 f"draught_m = {self.draught_m:g} is above depth_m = {self.depth_m:g}; "
                 "the depth is measured from the base line to the deck at side"
             )
+        for longer, shorter in (("length_overall_m", "breadth_m"), ("breadth_m", "depth_m")):
+            one, other = getattr(self, longer), getattr(self, shorter)
+            if not 1 / UNLIKE_ANY_SHIP < one / other < UNLIKE_ANY_SHIP:
+                raise ValueError(
+                    f"{longer} = {one:g} is {one / other:.3g} times {shorter} = {other:g}, as in no ship; "
+                    "check that all of [ship] is in metres"
+                )
         return self
 
 

@@ -106,6 +106,14 @@ def test_keel_and_deck_rows_end_the_curves(tmp_path: Path) -> None:
     assert len(body_plan.notes) == 1
 
 
+def test_a_waterline_at_the_keels_height_is_the_flat_of_bottom(tmp_path: Path) -> None:
+    rows = "height_m,10,95,180\n0,2,13,1\n2,5,15,3\n8.5,6,15,7.5\n17,12,15,15\n"
+    with_keel, without = read(tmp_path, rows + "keel_height_m,0,0,0\n"), read(tmp_path, rows)
+    for told, found in zip(with_keel.stations, without.stations, strict=True):
+        np.testing.assert_allclose(told.curves[0].points, found.curves[0].points, atol=1e-12)
+        assert told.curves[0].points[1, 1] == 0.0
+
+
 def test_what_no_waterline_shows_is_told(tmp_path: Path) -> None:
     body_plan = read(tmp_path, "height_m,10,95,180\n1,,14.5,2\n8.5,6,15,7.5\n17,12,15,15\n")
     (_, note) = body_plan.notes

@@ -76,6 +76,11 @@ def test_the_aft_perpendicular_is_at_the_aft_end_where_the_lengths_agree(tmp_pat
         ("aft_perpendicular_m = 4.0", "", "ship.aft_perpendicular_m: is missing; the length between perpendiculars"),
         ("aft_perpendicular_m = 4.0", "aft_perpendicular_m = 14.0", "fore perpendicular at x = 114 m"),
         ("draught_m = 6.0", "draught_m = 12.0", "draught_m = 12 is above depth_m = 10"),
+        (
+            "breadth_m = 16.0",
+            "breadth_m = 16000.0",
+            "length_overall_m = 110 is 0.00688 times breadth_m = 16000, as in no ship",
+        ),
         ('type = "container"', 'type = "canoe"', "ship.type = 'canoe'"),
         ("schema = 1", "schema = 2", "schema = 2"),
         ("[0.0, 20.0, 54.0]", "[0.0, 54.0, 20.0]", "20 follows 54; list each half's stations from aft forward"),

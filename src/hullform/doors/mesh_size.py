@@ -15,6 +15,8 @@ _OTHER_LENGTH, _OTHER_BREADTH = 0.1, 0.25
 _WORTH_A_WORD = 0.01
 # Of the length: a mesh may reach beyond the ship's ends by as much.
 _BEYOND = 0.005
+# Of the depth: a mesh whose height is as far off may lie on its side; one that is higher carries deckhouses.
+_OTHER_DEPTH = 0.5
 # Of the depth: how far below the base line, and how high above it, the lowest point of a hull may lie.
 _BELOW_BASE, _ABOVE_BASE = 0.2, 0.15
 # Of the breadth: the centre plane is known no better.
@@ -43,6 +45,11 @@ def require_in_place(surface: Surface, source: MeshSource, main: Particulars) ->
             f"{z1 - z0:.4g} m high, the ship {length:g} by {breadth:g} by {depth:g} m; "
             f"{_remedy(surface, source, main)}"
         )
+    if abs((z1 - z0) / depth - 1) > _OTHER_DEPTH and (remedy := _better_by_height(surface, source, main)):
+        raise BodyPlanError(
+            f"{source.file}: as [body_plan] has it the mesh is {y1 - y0:.4g} m broad and {z1 - z0:.4g} m high, the "
+            f"ship {breadth:g} by {depth:g} m; {remedy}"
+        )
     if x0 < -_BEYOND * length or x1 > (1 + _BEYOND) * length:
         raise BodyPlanError(
             f"{source.file}: the mesh lies from x = {x0:.4g} to {x1:.4g} m, the ship from 0 to {length:g} m; x runs "
@@ -60,7 +67,7 @@ def require_in_place(surface: Surface, source: MeshSource, main: Particulars) ->
         raise BodyPlanError(
             f"{source.file}: the lowest point of the mesh lies at z = {z0:.4g} m, and the base line at 0; write the "
             f"height of the mesh's origin above it, origin_z_m = {source.origin_z_m - z0:.4g} for a keel on the base "
-            "line"
+            f'line; where she lies on her back, write up = "{_turned(source.up)}" first'
         )
     return _doubts(source, (x0, x1), whole, z1, main)
 
@@ -72,6 +79,20 @@ def _near(breadth_m: float, given_m: float) -> bool:
 
 def _remedy(surface: Surface, source: MeshSource, main: Particulars) -> str:
     """What to write, if another unit or other axes make the mesh the ship."""
+    fitting = _fitting(surface, source, main)
+    if not fitting:
+        return "it is another ship, or only a part of this one: check length_overall_m and breadth_m"
+    return _to_write(min(fitting, key=lambda fit: fit[0]), source)
+
+
+def _better_by_height(surface: Surface, source: MeshSource, main: Particulars) -> str:
+    """What to write, if other axes give the mesh the ship's length, breadth and depth too; else nothing."""
+    fitting = [fit for fit in _fitting(surface, source, main) if fit[0] < _OTHER_BREADTH]
+    return _to_write(min(fitting, key=lambda fit: fit[0]), source) if fitting else ""
+
+
+def _fitting(surface: Surface, source: MeshSource, main: Particulars) -> list[tuple[float, Unit, str, str]]:
+    """How far the height is off, in each unit and axes (ahead, up) in which the mesh is as long and broad as she is."""
     back = {"forward": axis_vector(source.forward), "up": axis_vector(source.up)}
     extent = surface.bounds[1] - surface.bounds[0]
     named = {"forward": extent[0], "port": extent[1], "up": extent[2]}
@@ -84,15 +105,21 @@ def _remedy(surface: Surface, source: MeshSource, main: Particulars) -> str:
         long, broad, high = (METRES_PER[unit] * raw[axis] for axis in (ahead, across, upright))
         if abs(long / main.length_overall_m - 1) <= _OTHER_LENGTH and _near(broad, main.breadth_m):
             fitting.append((abs(high / main.depth_m - 1), unit, ahead, upright))
-    if not fitting:
-        return "it is another ship, or only a part of this one: check length_overall_m and breadth_m"
-    _, unit, ahead, upright = min(fitting, key=lambda fit: fit[0])
+    return fitting
+
+
+def _to_write(fit: tuple[float, Unit, str, str], source: MeshSource) -> str:
+    _, unit, ahead, upright = fit
     written = [f'unit = "{unit}"'] if unit != source.unit else []
     if (ahead, upright) != (source.forward[1], source.up[1]):
         forward = source.forward if ahead == source.forward[1] else f"+{ahead}"
         up = source.up if upright == source.up[1] else f"+{upright}"
         written.append(f'forward = "{forward}" and up = "{up}" (or "-", where they point the other way)')
     return f"write {', '.join(written)} in [body_plan]"
+
+
+def _turned(axis: str) -> str:
+    return {"+": "-", "-": "+"}[axis[0]] + axis[1]
 
 
 def _doubts(
@@ -109,6 +136,12 @@ def _doubts(
         found.append(
             f"{name}: the mesh is {breadth_m:.4g} m broad, {100 * (breadth_m / main.breadth_m - 1):+.1f} % off "
             f"breadth_m, limit {100 * _WORTH_A_WORD:g} %; check unit and breadth_m"
+        )
+    if source.up_to_m is None and top_m > (1 + _OTHER_DEPTH) * main.depth_m:
+        found.append(
+            f"{name}: the mesh reaches z = {top_m:.4g} m, {top_m / main.depth_m:.2g} times the depth of "
+            f"{main.depth_m:g} m; leave out deckhouses and funnel: write up_to_m = {main.depth_m:g}, or as high as her "
+            "sheer goes"
         )
     if top_m < main.draught_m * (1 - _WORTH_A_WORD):
         found.append(

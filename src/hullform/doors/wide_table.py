@@ -18,7 +18,7 @@ FORMS = (
     "A table of offsets has one row a point (station_x_m, half_breadth_m, height_m), or is wide: its first cell is "
     "height_m and stations' x stand beside it in the header, or it is station_x_m and heights stand there"
 )
-# Of the whole height: a lowest waterline that is nearer to the base line lies on it.
+# Of the whole height: a waterline that is nearer to the base line, or to a keel, lies on it.
 _ON_BASE = 1e-6
 
 # Points that the curve gets from one waterline to the next.
@@ -154,8 +154,10 @@ def _curve(
     z, y = heights[known], breadths[known]
     keel = ends.get("keel_height_m", math.nan)
     if math.isfinite(keel):
-        above = z > keel
-        z, y = np.append(keel, z[above]), np.append(0.0, y[above])
+        # a waterline at the keel's height has the flat of bottom
+        apart = _ON_BASE * float(np.ptp(heights))
+        above, flat = z > keel + apart, y[(np.abs(z - keel) <= apart) & (y > 0)]
+        z, y = np.concatenate([[keel], np.full(flat.size, keel), z[above]]), np.concatenate([[0.0], flat, y[above]])
     elif (y > 0).any():
         # of noughts below the keel only the last is hers
         first = max(int(np.argmax(y > 0)) - 1, 0)
