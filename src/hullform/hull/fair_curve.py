@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import warnings
 from typing import Any
 
 import numpy as np
@@ -40,7 +41,12 @@ def _fair_piece(piece: Array, breadth_m: float) -> Array:
     arc = arc_along(seen)
     weight = np.ones(len(seen))
     weight[[0, -1]] = _END_WEIGHT
-    spline: Any = splprep(seen.T, w=weight, u=arc / arc[-1], s=len(seen) * (_PEN * breadth_m) ** 2, k=3, quiet=1)[0]
+    smoothing = len(seen) * (_PEN * breadth_m) ** 2
+    with warnings.catch_warnings():
+        # stopped short of the sum of squares that is asked for, the spline is good all the same: how far it lies from
+        # the trace is measured, as of every model
+        warnings.filterwarnings("ignore", "The maximal number of iterations", RuntimeWarning)
+        spline: Any = splprep(seen.T, w=weight, u=arc / arc[-1], s=smoothing, k=3, quiet=1)[0]
     knots, coefficients, degree = spline
     count = int(np.clip(arc[-1] / (_DRAWN_STEP * breadth_m), _FEWEST, _MOST_DRAWN))
     drawn = BSpline(knots, np.stack(coefficients, axis=-1), degree)(np.linspace(0.0, 1.0, count))
