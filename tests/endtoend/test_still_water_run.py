@@ -35,17 +35,19 @@ def test_shear_force_and_bending_moment_close_at_the_fore_end(finished_run: Runs
 
 @pytest.mark.parametrize(("ship", "condition"), CONDITIONS)
 def test_the_curves_are_each_others_integrals(finished_run: Runs, ship: str, condition: str) -> None:
-    still = finished_run(ship).results["conditions"][condition]["still_water"]
+    results = finished_run(ship).results["conditions"][condition]
+    still = results["still_water"]
     x, weight, buoyancy, shear, moment = (
         np.array(still[key])
         for key in ("x_m", "weight_n_per_m", "buoyancy_n_per_m", "shear_force_curve_n", "bending_moment_curve_n_m")
     )
     load = weight - buoyancy
     step = np.diff(x)
-    # trapezoids between stations some metres apart: what a quadratic leaves of them; where x stands twice, point masses
+    # trapezoids between stations some metres apart lose what a quadratic leaves of weight and buoyancy, whose
+    # difference may be far smaller: 0.05 % of the ship's weight; where x stands twice, point masses
     rise = np.where(step > 0, step * (load[1:] + load[:-1]) / 2, np.diff(shear))
     summed = shear[0] + np.concatenate([[0.0], np.cumsum(rise)])
-    assert np.abs(summed - shear).max() < 0.01 * np.abs(shear).max()
+    assert np.abs(summed - shear).max() < 5e-4 * 9.81 * results["mass_kg"]
     bent = np.concatenate([[0.0], np.cumsum(step * (shear[1:] + shear[:-1]) / 2)])
     assert np.abs(bent - moment).max() < 0.01 * np.abs(moment).max()
     assert still["bending_moment_n_m"]["maximum"] >= moment.max()
