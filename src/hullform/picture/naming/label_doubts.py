@@ -86,8 +86,8 @@ def _unread(labels: LabelledHalf, names: Sequence[str]) -> list[str]:
 
 
 def _is_piece(text: str, names: Sequence[str]) -> bool:
-    """Whether a text is the beginning or the end of one of some names."""
-    return any(name != text and (name.startswith(text) or name.endswith(text)) for name in names)
+    """Whether a text is the first or the last figures of one of some whole numbers; a fraction is read or it is not."""
+    return any(name.isdecimal() and name != text and (name.startswith(text) or name.endswith(text)) for name in names)
 
 
 def _unlisted(labels: LabelledHalf) -> list[str]:
