@@ -26,8 +26,9 @@ def hull(tmp_path_factory: pytest.TempPathFactory) -> Hull:
     return Hull.from_body_plan(trace(ship), ship.particulars)
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def mesh(hull: Hull) -> trimesh.Trimesh:
+    """The hull as a mesh of the test's own, which it may turn and spoil."""
     return hull.mesh()
 
 
@@ -239,15 +240,11 @@ def test_a_deckhouse_that_nobody_cut_off_is_told(tmp_path: Path, mesh: trimesh.T
 
 
 def test_a_hull_half_as_high_as_broad_that_lies_on_its_side_is_told(tmp_path: Path, mesh: trimesh.Trimesh) -> None:
-    # as broad as one side of the ship alone, were it upright
-    mesh.apply_scale([1, 1, 0.5 * np.ptp(mesh.vertices[:, 1]) / np.ptp(mesh.vertices[:, 2])])
-    mesh.vertices = mesh.vertices[:, [0, 2, 1]]
-    ship = SHIP.replace(
-        next(line for line in SHIP.splitlines() if line.startswith("depth_m")),
-        f"depth_m = {np.ptp(mesh.vertices[:, 1])}",
-    )
+    # 15 m high and 30 m broad: on her side she is as broad as one side of the ship alone
+    low = mesh.vertices * [1, 1, 15.0 / 17.0]
+    on_her_side = trimesh.Trimesh(low[:, [0, 2, 1]], mesh.faces, process=False)
     with pytest.raises(BodyPlanError, match=r'write forward = "\+x" and up = "\+y"'):
-        read(tmp_path, mesh, ship=ship)
+        read(tmp_path, on_her_side, ship=SHIP.replace("depth_m = 17.0", "depth_m = 15.0"))
 
 
 def test_a_mesh_of_topsides_alone_is_read_and_doubted(tmp_path: Path, mesh: trimesh.Trimesh) -> None:
@@ -255,6 +252,12 @@ def test_a_mesh_of_topsides_alone_is_read_and_doubted(tmp_path: Path, mesh: trim
     raised = trimesh.Trimesh(mesh.vertices * [1, 1, 0.1] + [0, 0, 2.4], mesh.faces, process=False)
     doubts = read(tmp_path, raised, ship=SHIP.replace("draught_m = 11.0", "draught_m = 2.0")).doubts
     assert doubts == ()
+
+
+def test_two_hulls_side_by_side_are_refused(tmp_path: Path, mesh: trimesh.Trimesh) -> None:
+    hulls = [mesh.copy().apply_scale([1, 0.3, 1]).apply_translation([0, y, 0]) for y in (-10.5, 10.5)]
+    with pytest.raises(BodyPlanError, match="no section of the mesh reaches the centre plane"):
+        read(tmp_path, trimesh.util.concatenate(hulls))
 
 
 def test_two_sides_that_differ_are_doubted(tmp_path: Path, mesh: trimesh.Trimesh) -> None:

@@ -81,7 +81,7 @@ def read_mesh(ship: Ship, source: MeshSource) -> BodyPlan:
         source: [body_plan] of her ship.toml.
 
     Raises:
-        BodyPlanError: no mesh, one of another size or elsewhere, a hole too wide to be bridged.
+        BodyPlanError: no mesh, one of another size or elsewhere, off the centre plane, a hole too wide to be bridged.
     """
     surface, main = load_surface(source), ship.particulars
     doubts = list(require_in_place(surface, source, main))
@@ -104,6 +104,11 @@ def read_mesh(ship: Ship, source: MeshSource) -> BodyPlan:
     stations = tuple(
         _station(x, "aft" if x < midships else "fore", halves[0]) for x, halves in found.items() if halves[0].curves
     )
+    if not stations:
+        raise BodyPlanError(
+            f"{source.file}: no section of the mesh reaches the centre plane, y = 0; export a hull of one body, or "
+            "write origin_y_m in [body_plan] where her centre plane lies elsewhere"
+        )
     bare = [f"{x:.4g}" for x, halves in found.items() if not halves[0].curves]
     if bare:
         doubts.append(f"{source.file.name}: there is no section at x = {', '.join(bare)} m; check the mesh there")
@@ -222,7 +227,7 @@ def _doubts_of_sections(
     source: MeshSource, stations: Sequence[Station], found: dict[float, list[HalfSection]]
 ) -> list[str]:
     doubts = []
-    largest = max((station.area_below(np.inf) for station in stations), default=0.0)
+    largest = max(station.area_below(np.inf) for station in stations)
     apart = [(2 * halves[0].apart_m2, x) for x, halves in found.items() if 2 * halves[0].apart_m2 > _APART * largest]
     if apart:
         area, x = max(apart)
