@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import math
 import re
 import sys
 from dataclasses import dataclass, replace
@@ -127,8 +128,10 @@ def test_stations_have_the_names_and_errors_of_their_models(run: Run, page: str)
 def test_a_ship_that_does_not_float_right_has_a_banner_and_one_that_does_has_none(run: Run) -> None:
     banner = 'role="alert"'
     light = run.conditions["light-ship"]
-    sound = replace(light, checks=tuple(replace(check, ok=True) for check in light.checks))
-    sinking = replace(light, checks=(replace(light.checks[0], id="floats", ok=False, remedy="lighten her"),))
+    sound = replace(light, checks=tuple(replace(check, limits=(-math.inf, math.inf)) for check in light.checks))
+    sinking = replace(
+        light, checks=(checks.Check("floats", "mass over displacement", 120.0, (0.0, 101.0), "%", "lighten her"),)
+    )
     pictures = draw_pictures(run)
     assert banner not in render(replace(run, checks=(), conditions={"light-ship": sound}), pictures, "")
     text = render(replace(run, checks=(), conditions={"light-ship": sinking}), pictures, "")
