@@ -137,6 +137,7 @@ def test_units_and_the_place_of_the_zero_are_obeyed(tmp_path: Path) -> None:
         ("", "has 0 rows"),
         ("station_x_m,half_breadth_m\n1,2\n", "line 1: has no column height_m; it has station_x_m, half_breadth_m"),
         ("z,10,95,180\n0,0,15,0\n", "or is wide: its first cell is height_m and stations' x stand beside it"),
+        ("station_x_m,curve,half_breadth_m,height_m\n10,1.5,0,0\n", "line 2: curve = 1.5; curves are numbered 0, 1, 2"),
         (POINTS.replace("10,15,17", "10,abc,17"), "line 4, column half_breadth_m: 'abc' is no number"),
         (POINTS.replace("10,15,17", "10,nan,17"), "line 4, column half_breadth_m: 'nan' is no number"),
         (POINTS.replace("10,15,17", "10,,17"), "line 4: half_breadth_m is empty"),

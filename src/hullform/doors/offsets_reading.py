@@ -106,8 +106,11 @@ def _curves_of_points(
         half = row.get("half") or _half_of(place, midships_m)
         if half not in ("aft", "fore"):
             raise BodyPlanError(f"{table.path}, line {line}: half = '{half}'; it is aft or fore")
+        number = value("curve", 0.0)
+        if number != round(number):
+            raise BodyPlanError(f"{table.path}, line {line}: curve = {number:g}; curves are numbered 0, 1, 2")
         curves = points.setdefault((place, "aft" if half == "aft" else "fore"), {})
-        curves.setdefault(int(value("curve", 0.0)), []).append(
+        curves.setdefault(int(number), []).append(
             _Point(y * scale, z * scale + source.origin_z_m, value("confidence", 1.0), value("point", float(order)))
         )
     return {
