@@ -22,9 +22,6 @@ BLOCK_COEFFICIENT_LIMIT_PERCENT = 1.0
 LCB_LIMIT_PERCENT_LPP = 0.5
 # The mesh's facets lie inside curved sections: that costs some 1e-4 of the volume.
 MESH_LIMIT_PERCENT = 0.1
-# Trim beyond which 'on even keel' is no description of the ship (by the stern, by the bow).
-TRIM_BY_STERN_LIMIT_PERCENT_LPP = 1.5
-TRIM_BY_BOW_LIMIT_PERCENT_LPP = 0.5
 # A shell of the given thickness stands for stiffeners, decks and bottom too: two to four times is usual.
 THICKNESS_FACTOR_LIMITS = (0.5, 6.0)
 # Where the members are given too, the model should come near: what is left is stiffeners, strakes and rounding.
@@ -241,23 +238,6 @@ def check_floating(mass_kg: float, capacity_kg: float, depth_m: float) -> Check:
         (-math.inf, 100 + DISPLACEMENT_LIMIT_PERCENT),
         "%",
         "she would sink: check the weights, the depth and the scale of the body plan",
-    )
-
-
-def check_trim(lcg_m: float, floating: Hydrostatics) -> Check:
-    """The trim that the weights' lever to the buoyancy would cause: t = lever LPP / BM_L, by the stern positive.
-
-    A lever that trims her far is a fault of the weights: without draughts of her own she is then put on even keel.
-    BM_L stands for GM_L, some per cent more: the trim is an estimate.
-    """
-    lever = floating.lcb_x_m - lcg_m
-    return Check(
-        "trim",
-        f"trim, by the stern positive, that the lever of {significant(abs(lever))} m between LCG and LCB would cause",
-        100 * lever / floating.bm_longitudinal_m,
-        (-TRIM_BY_BOW_LIMIT_PERCENT_LPP, TRIM_BY_STERN_LIMIT_PERCENT_LPP),
-        "% of LPP",
-        "spread the weights so that LCG meets LCB, or add ballast",
     )
 
 

@@ -7,12 +7,14 @@ import math
 from hullform.checks import (
     DISPLACEMENT_LIMIT_PERCENT,
     LCB_LIMIT_PERCENT_LPP,
-    TRIM_BY_BOW_LIMIT_PERCENT_LPP,
-    TRIM_BY_STERN_LIMIT_PERCENT_LPP,
     Check,
     deviation,
 )
+from hullform.rounding import significant
 
+# Trim beyond which her weights are more likely wrong than meant (by the stern, by the bow).
+TRIM_BY_STERN_LIMIT_PERCENT_LPP = 1.5
+TRIM_BY_BOW_LIMIT_PERCENT_LPP = 0.5
 # A deck may be under water by this share of the depth: a hull drawn to her waterline is read to no better.
 DECK_UNDER_WATER_LIMIT_PERCENT_DEPTH = 0.5
 # BM_L is near LPP: a lever of LCB_LIMIT_PERCENT_LPP trims a ship by about as much.
@@ -21,11 +23,18 @@ GIVEN_TRIM_LIMIT_PERCENT_LPP = LCB_LIMIT_PERCENT_LPP
 CLOSING_LIMIT_PERCENT = 0.01
 
 
-def check_equilibrium_trim(trim_m: float, length_m: float) -> Check:
-    """The trim that carries the weights, by the stern positive, against that beyond which she is put on even keel."""
+def check_trim(lever_m: float, trim_m: float, length_m: float) -> Check:
+    """The trim of her weights, by the stern positive.
+
+    Args:
+        lever_m: from the centre of gravity forward to that of buoyancy on even keel.
+        trim_m: over the length between perpendiculars.
+        length_m: between perpendiculars.
+    """
+    side = "abaft" if lever_m > 0 else "forward of"
     return Check(
-        "equilibrium-trim",
-        "trim in equilibrium, by the stern positive",
+        "trim",
+        f"trim, by the stern positive, with LCG {significant(abs(lever_m))} m {side} LCB on even keel",
         100 * trim_m / length_m,
         (-TRIM_BY_BOW_LIMIT_PERCENT_LPP, TRIM_BY_STERN_LIMIT_PERCENT_LPP),
         "% of LPP",

@@ -35,17 +35,6 @@ BARGE = Hydrostatics(
 )
 
 
-@pytest.mark.parametrize(
-    ("lcg", "percent", "ok"), [(50.0, 0.0, True), (48.0, 1.2, True), (47.0, 1.8, False), (51.0, -0.6, False)]
-)
-def test_trim_is_the_lever_over_the_metacentre(lcg: float, percent: float, ok: bool) -> None:
-    # t / LPP = lever / BM_L = lever / 166.67 m; by the stern positive, limits 1.5 % and 0.5 %
-    check = checks.check_trim(lcg, BARGE)
-    assert check.value == pytest.approx(percent, abs=1e-12)
-    assert check.ok is ok
-    assert check.limits == (-0.5, 1.5)
-
-
 @pytest.mark.parametrize(("mass", "percent", "ok"), [(10.25e6, 0.0, True), (10.0e6, 2.5, False), (10.6e6, -3.3, False)])
 def test_buoyancy_against_mass(mass: float, percent: float, ok: bool) -> None:
     check = checks.check_displacement(mass, BARGE)
