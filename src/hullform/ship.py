@@ -13,7 +13,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, PrivateAttr, ValidationError, field_validator, model_validator
 
 from hullform.errors import ShipFileError
-from hullform.quantities import SEA_WATER_KG_M3, NotNegative, Number, Positive, Table
+from hullform.quantities import SEA_WATER_KG_M3, NotNegative, Number, Positive, Table, WaterDensity
 from hullform.ship_body_plan import (
     SOURCES,
     BodyPlanSource,
@@ -109,7 +109,7 @@ class HullOptions(Table):
 class Water(Table):
     """[water]: what she floats in."""
 
-    density_kg_m3: Positive = SEA_WATER_KG_M3
+    density_kg_m3: WaterDensity = SEA_WATER_KG_M3
     depth_m: Positive | None = None
 
 
