@@ -84,7 +84,7 @@ def check_closing(residual: float) -> Check:
         "closing",
         "bending moment in still water left at the fore end, over the largest",
         100 * residual,
-        (0.0, CLOSING_LIMIT_PERCENT),
+        (-math.inf, CLOSING_LIMIT_PERCENT),
         "%",
         "weight and buoyancy do not balance: no waterline of a moderate trim carries these weights",
     )

@@ -115,7 +115,7 @@ def test_report_and_figures_are_written(run: Run, tmp_path: Path) -> None:
 
 
 def test_stations_have_the_names_and_errors_of_their_models(run: Run, page: str) -> None:
-    assert "Each traced station is replaced by a super-ellipse" in page
+    assert "Each station is replaced by a super-ellipse" in page
     assert page.count(">super-ellipse</td>") == 10
     traced = Hull.from_body_plan(_sections(), run.ship.particulars, sections="traced")
     text = render(replace(run, hull=traced), draw_pictures(replace(run, hull=traced)), "")
