@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.loading.gravity import GRAVITY_M_S2
-from hullform.ship import Ship
+from hullform.ship import Ship, Water
 from hullform.ship_excitation import ExcitationInput
 from hullform.ship_operation import OperationInput, metres_per_second
 from hullvib import engine, resonance, springing
@@ -149,7 +149,9 @@ def in_service(ship: Ship, modes: Modes) -> InService:
         modes=modes,
         uncertainty=uncertainty,
         resonances=None if ship.excitation is None else _resonances(ship, ship.excitation, modes, uncertainty),
-        springing=None if ship.operation is None else _springing(ship.operation, float(modes.angular_frequencies[0])),
+        springing=None
+        if ship.operation is None
+        else _springing(ship.operation, ship.water, float(modes.angular_frequencies[0])),
     )
 
 
@@ -216,16 +218,20 @@ def _given_load(given: ExcitationInput, source: Source) -> float | None:
     """The amplitude of a source's force or moment at the reference speed; None where it is not given."""
     if source.acts == "force":
         return given.propeller_force_n if source.order == given.propeller_blades else None
-    return {1.0: given.m1v_nm, 2.0: given.m2v_nm}.get(source.order) or None
+    return {1.0: given.m1v_nm, 2.0: given.m2v_nm}.get(source.order)
 
 
-def _springing(given: OperationInput, natural_rad_s: float) -> Springing:
+def _springing(given: OperationInput, water: Water, natural_rad_s: float) -> Springing:
     waves = [
         MetWave(speed, heading, wave)
         for heading in given.headings_deg
         for speed in given.speeds_knots
         for wave in springing.exciting_waves(
-            natural_rad_s, metres_per_second(speed), math.radians(heading), gravity=GRAVITY_M_S2
+            natural_rad_s,
+            metres_per_second(speed),
+            math.radians(heading),
+            gravity=GRAVITY_M_S2,
+            depth_m=water.bottom_m,
         )
     ]
     return Springing(given, natural_rad_s, tuple(waves))

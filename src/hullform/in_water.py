@@ -14,7 +14,7 @@ from hullform.hull.loft import Hull
 from hullform.loading.gravity import GRAVITY_M_S2
 from hullform.loading.structure import Structure
 from hullform.ship import Water
-from hullform.wet_checks import check_panel_volume, check_strips
+from hullform.wet_checks import check_clearance, check_panel_volume, check_strips
 from hullform.wetted import wetted_panels, wetted_sections
 from hullvib import wet
 from hullvib.girder import Girder
@@ -89,7 +89,7 @@ def put_in_water(
         panels,
         neutral_axis_m=(structure.x_m, axis),
         density_kg_m3=water.density_kg_m3,
-        depth_m=np.inf if water.depth_m is None else water.depth_m,
+        depth_m=water.bottom_m,
         gravity_m_s2=GRAVITY_M_S2,
     )
     strips = wet.StripFlow(sections, density_kg_m3=water.density_kg_m3, gravity_m_s2=GRAVITY_M_S2)
@@ -99,6 +99,8 @@ def put_in_water(
 
     euler, shear = (solved(flow, shear=with_shear) for with_shear in (False, True))
     checks = [check_panel_volume(panels.volume_m3, position.volume_m3)]
+    if water.depth_m is not None:
+        checks.append(check_clearance(water.depth_m, float(sections.draught_m.max())))
     strips_euler = strips_shear = None
     if water.depth_m is None:
         strips_euler, strips_shear = (solved(strips, shear=with_shear) for with_shear in (False, True))

@@ -82,7 +82,7 @@ class ResonanceRecord(RecordTable):
 
 
 class WaveRecord(RecordTable):
-    """A wave, in deep water, that meets the ship with the first mode's frequency over `order`."""
+    """A wave that meets the ship with the first mode's frequency over `order`."""
 
     order: int
     speed_knots: Finite

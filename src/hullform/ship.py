@@ -6,6 +6,7 @@ Every fault of a file is listed at once with its path; unknown keys are refused 
 from __future__ import annotations
 
 import itertools
+import math
 import tomllib
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
@@ -28,7 +29,13 @@ from hullform.ship_structure import StructureInput
 from hullform.ship_weights import ConditionInput, WeightsInput
 
 REVIEW_SUFFIX = ".review.json"
-UNLIKE_ANY_SHIP = 100.0  # L / B and B / D, either way: beyond it one of the two is in another unit
+# Least and greatest ratios: from barges and pontoons to rowing shells; beyond them one of the two is in another unit.
+UNLIKE_ANY_SHIP = {
+    ("length_overall_m", "breadth_m"): (0.5, 50.0),
+    ("breadth_m", "depth_m"): (0.2, 30.0),
+    ("length_overall_m", "length_between_perpendiculars_m"): (1.0, 2.0),
+    ("depth_m", "draught_m"): (1.0, 50.0),
+}
 # Of the water in a block of LOA B D: a mass beyond it is no overload but in another unit.
 NO_SUCH_MASS = 2.0
 
@@ -90,9 +97,9 @@ class Particulars(Table):
                 f"draught_m = {self.draught_m:g} is above depth_m = {self.depth_m:g}; "
                 "the depth is measured from the base line to the deck at side"
             )
-        for longer, shorter in (("length_overall_m", "breadth_m"), ("breadth_m", "depth_m")):
+        for (longer, shorter), (least, greatest) in UNLIKE_ANY_SHIP.items():
             one, other = getattr(self, longer), getattr(self, shorter)
-            if not 1 / UNLIKE_ANY_SHIP < one / other < UNLIKE_ANY_SHIP:
+            if not least <= one / other <= greatest:
                 raise ValueError(
                     f"{longer} = {one:g} is {one / other:.3g} times {shorter} = {other:g}, as in no ship; "
                     "check that all of [ship] is in metres"
@@ -111,6 +118,11 @@ class Water(Table):
 
     density_kg_m3: WaterDensity = SEA_WATER_KG_M3
     depth_m: Positive | None = None
+
+    @property
+    def bottom_m(self) -> float:
+        """Its depth, infinite in deep water."""
+        return math.inf if self.depth_m is None else self.depth_m
 
 
 class EmpiricalInput(Table):

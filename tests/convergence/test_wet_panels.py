@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from floating_bodies import SEMICIRCLE, uniform_girder
+from numpy.typing import NDArray
 
 from hullform import read_ship, trace
 from hullform.afloat import load_ship
@@ -37,6 +38,24 @@ def test_500_panels_against_2000(ship: str) -> None:
         np.testing.assert_allclose(found[0], found[1], rtol=2e-3, err_msg=condition.condition.name)
         # the run's own thousand lie nearer
         np.testing.assert_allclose(run.shear.modes.angular_frequencies, found[1], rtol=1e-3)
+
+
+def test_below_a_flat_bottom_500_panels_hold_in_water_of_one_tenth_more_than_her_draught() -> None:
+    t = np.linspace(0.0, 1.0, 61)
+    angle = np.linspace(0.0, np.pi / 2, 61)
+    bottom = np.stack([np.sin(angle) ** (1 / 3), -(np.cos(angle) ** (1 / 3))], axis=-1)
+    bottom[0, 0] = bottom[-1, 1] = 0.0
+    ends = 12.0 * np.minimum(1.0, np.minimum(0.4 + 3 * t, 0.1 + 4 * (1 - t)))
+    sections = wet.Sections(150.0 * t, bottom * np.stack([ends, np.full(61, 8.0)], axis=-1)[:, None])
+    girder = uniform_girder(150.0, 150e3, 2e13)
+
+    def frequencies(lengthwise: int, girthwise: int) -> NDArray[np.float64]:
+        panels = wet.Panels.from_sections(sections, lengthwise, girthwise)
+        return wet.solve(girder, wet.PanelFlow(panels, neutral_axis_m=-2.0, depth_m=8.8), modes=3).modes.frequencies_hz
+
+    # the error falls with the count of panels: what 2000 leave is a quarter of it
+    coarse, fine = frequencies(46, 11), frequencies(92, 22)
+    assert (np.abs(coarse / (fine + (fine - coarse) / 3) - 1) < 3.5e-3).all()
 
 
 def test_each_refinement_changes_less() -> None:

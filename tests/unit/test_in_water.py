@@ -78,12 +78,19 @@ def test_frequencies_fall_as_the_bottom_comes_near(ship: ShipAfloat) -> None:
 def test_strips_have_no_bottom_and_are_left_out(ship: ShipAfloat) -> None:
     deep, shallow = wet_in(ship, None), wet_in(ship, 12.0)
     assert [check.id for check in deep.checks] == ["panel-volume", "wet-strips"]
-    assert [check.id for check in shallow.checks] == ["panel-volume"]
+    assert [check.id for check in shallow.checks] == ["panel-volume", "clearance"]
     assert (deep.depth_m, shallow.depth_m) == (None, 12.0)
     assert deep.strips_shear is not None
     assert shallow.strips_shear is None
     # over the sections in deep water: the bottom adds to it
     assert (shallow.effective_factors > deep.effective_factors).all()
+
+
+@pytest.mark.parametrize(("depth_m", "ok"), [(8.7, False), (8.9, True)])
+def test_a_gap_narrower_than_the_panels_is_told(ship: ShipAfloat, depth_m: float, ok: bool) -> None:
+    # she draws 8 m: 1.1 draughts are 8.8 m
+    (clearance,) = (check for check in wet_in(ship, depth_m).checks if check.id == "clearance")
+    assert clearance.ok is ok
 
 
 @pytest.mark.parametrize("depth_m", [5.0, 7.99])

@@ -81,6 +81,8 @@ def test_the_aft_perpendicular_is_at_the_aft_end_where_the_lengths_agree(tmp_pat
             "breadth_m = 16000.0",
             "length_overall_m = 110 is 0.00688 times breadth_m = 16000, as in no ship",
         ),
+        ("depth_m = 10.0", "depth_m = 1000.0", "breadth_m = 16 is 0.016 times depth_m = 1000, as in no ship"),
+        ("draught_m = 6.0", "draught_m = 0.06", "depth_m = 10 is 167 times draught_m = 0.06, as in no ship"),
         ('type = "container"', 'type = "canoe"', "ship.type = 'canoe'"),
         ("schema = 1", "schema = 2", "schema = 2"),
         ("[0.0, 20.0, 54.0]", "[0.0, 54.0, 20.0]", "20 follows 54; list each half's stations from aft forward"),

@@ -14,6 +14,7 @@ from hullvib.sea import GRAVITY_M_S2
 from hullvib.springing import (
     encounter_frequency,
     exciting_waves,
+    met_waves,
     wave_frequencies,
     wave_length,
 )
@@ -112,6 +113,42 @@ def test_in_following_seas_at_speed_she_overtakes_the_wave() -> None:
     for wave in waves:
         # faster than the crests of the wave, g / w
         assert GRAVITY_M_S2 / wave.angular_frequency < 20.0 * 1852 / 3600
+
+
+def test_a_depth_of_many_lengths_is_deep_water() -> None:
+    for met, speed, heading in ((3.0, 8.0, HEAD), (0.4, 8.0, FOLLOWING), (3.0, 8.0, FOLLOWING), (2.0, 0.0, HEAD)):
+        deep, far = (met_waves(met, speed, heading, depth_m=depth) for depth in (math.inf, 1e5))
+        np.testing.assert_allclose(far, deep, rtol=1e-10)
+
+
+@given(
+    met=st.floats(0.05, 20.0), speed=st.floats(0.0, 20.0), heading=st.floats(0.0, math.pi), depth=st.floats(3.0, 300.0)
+)
+def test_waves_of_any_depth_are_met_with_the_frequency_asked_for(
+    met: float, speed: float, heading: float, depth: float
+) -> None:
+    waves, lengths = met_waves(met, speed, heading, depth_m=depth)
+    there = np.isfinite(waves)
+    assert there.any()
+    number = 2 * np.pi / lengths[there]
+    np.testing.assert_allclose(waves[there] ** 2, GRAVITY_M_S2 * number * np.tanh(number * depth), rtol=1e-10)
+    along = speed * math.cos(heading)
+    size = np.maximum(waves[there], number * abs(along))
+    np.testing.assert_allclose(np.abs(waves[there] - number * along) / size, met / size, rtol=1e-8, atol=1e-9)
+
+
+def test_long_waves_in_shallow_water_travel_with_the_root_of_g_h() -> None:
+    # at 0.05 rad/s in 4 m of water k h is 0.03: w = k sqrt(g h) to 1.7e-4, and head seas at U = sqrt(g h) meet twice
+    celerity = math.sqrt(GRAVITY_M_S2 * 4.0)
+    assert float(wave_length(0.05, depth_m=4.0)) == pytest.approx(2 * math.pi * celerity / 0.05, rel=3e-4)
+    waves, _ = met_waves(0.1, celerity, HEAD, depth_m=4.0)
+    assert waves[0] == pytest.approx(0.05, rel=3e-4)
+
+
+def test_no_ripple_is_told_near_beam_seas() -> None:
+    lengths = [wave.length_m for wave in exciting_waves(4.0, 10.0, math.radians(89.9))]
+    assert lengths
+    assert min(lengths) >= 0.1
 
 
 def test_arrays_broadcast() -> None:

@@ -23,7 +23,7 @@ from hullvib import (
     solve,
     wet,
 )
-from hullvib.errors import ArgumentError
+from hullvib.errors import ArgumentError, SolutionError
 
 LENGTH, BREADTH, DRAUGHT = 200.0, 20.0, 8.0
 MASS, WATER = 160e3, 90e3  # kg/m
@@ -186,6 +186,18 @@ def test_hydrostatics_stiffen_and_the_tail_lightens():
     k = tail.modes.angular_frequencies[0] ** 2 * BREADTH / (2 * 9.81)
     share = tail.generalised_added_mass[0] / (tail.coefficients @ tail.added_mass.matrix @ tail.coefficients.T)[0, 0]
     assert share == pytest.approx(1 - 4 / (3 * np.pi * k), rel=1e-9)
+    assert share == pytest.approx(tail.tail[0], rel=1e-9)
+    # and the force along the hull is what that mass is made of
+    edges = tail.added_mass.edges_m
+    x = np.linspace(0.0, LENGTH, 4001)
+    force = tail.force_kg_per_m[0][np.clip(np.searchsorted(edges, x, side="right") - 1, 0, len(edges) - 2)]
+    assert np.trapezoid(force * tail.modes.shape(x)[0], x) == pytest.approx(tail.generalised_added_mass[0], rel=0.02)
+
+
+def test_a_mode_so_slow_that_it_makes_waves_has_no_tail():
+    soft = uniform_girder(LENGTH, 1e5, 1e10)
+    with pytest.raises(SolutionError, match=r"a mode near .* Hz makes waves.*leave it out"):
+        wet.solve(soft, spheroid_flow(), frequency_tail=True)
 
 
 def test_neutral_axis_may_be_a_number_a_table_or_a_function():

@@ -66,6 +66,7 @@ CHECK_LABELS = {
     "hatch-openings": "Hatch openings of a container ship over her breadth",
     "steel-estimate": "Numeral within those behind the estimated steel weight",
     "panel-volume": "Volume within the panels of the wetted hull",
+    "clearance": "Depth of water over her deepest draught",
     "wet-strips": "Wet frequencies by strips against panels, the mode that differs most",
     "mesh-volume": "Volume of the mesh against the sections",
     "first-frequency": "First frequency, as of hulls of her length",

@@ -15,7 +15,7 @@ from hullform.outcome import Run
 from hullform.report.drawing import INK, PAGE_WIDTH, QUIET, SERIES, Picture, as_svg, finish
 from hullform.rounding import short
 from hullform.ship_operation import FOLLOWING_SEAS_DEG, HEAD_SEAS_DEG, metres_per_second
-from hullvib.springing import ORDERS, wave_frequencies, wave_length
+from hullvib.springing import ORDERS, met_waves, wave_length
 
 Array = NDArray[np.float64]
 
@@ -57,15 +57,17 @@ def springing_figure(run: Run) -> Picture:
         unused.set_axis_off()
     for row in range(rows):
         panels[row * columns].set_ylabel("wave length, m")
-        _add_periods(panels[min((row + 1) * columns, count) - 1])
+        _add_periods(panels[min((row + 1) * columns, count) - 1], run.ship.water.bottom_m)
     figure.legend(
         *panels[0].get_legend_handles_labels(), loc="lower center", ncols=max(2, len(run.in_service)), columnspacing=1.6
     )
     medium = next(iter(run.in_service.values())).modes.medium
+    depth = run.ship.water.depth_m
+    water = "deep water" if depth is None else f"water {depth:g} m deep"
     return as_svg(
         figure,
         "springing",
-        f"Springing: regular waves in deep water that meet the ship with the frequency of mode 1 ({medium}; linear, "
+        f"Springing: regular waves in {water} that meet the ship with the frequency of mode 1 ({medium}; linear, "
         "solid) or half of it (second order, dashed). Grey: the given speeds; dotted: her length overall. In following "
         "seas up to three waves do; the shortest are those that she overtakes.",
         "Wave length over the ship's speed, a panel a heading, and over the heading.",
@@ -78,28 +80,37 @@ def _draw_waves(axes: Axes, run: Run, x: Array, speeds_knots: Array, headings_de
     for index, (name, service) in enumerate(run.in_service.items()):
         for order in ORDERS:
             met = float(service.modes.angular_frequencies[0]) / order
-            roots = wave_frequencies(met, speeds, np.radians(headings_deg), GRAVITY_M_S2)
-            for branch, root in enumerate(roots.T):
+            _, lengths = met_waves(met, speeds, np.radians(headings_deg), GRAVITY_M_S2, run.ship.water.bottom_m)
+            for branch, length in enumerate(lengths.T):
                 label = run.conditions[name].condition.title + (", linear" if order == 1 else ", second order")
                 axes.plot(
                     x,
-                    wave_length(root, GRAVITY_M_S2),
+                    length,
                     color=SERIES[index % len(SERIES)],
                     linestyle="-" if order == 1 else "--",
                     linewidth=1.3,
                     label=label if branch == 0 else None,
                 )
-    length = run.ship.particulars.length_overall_m
-    axes.axhline(length, color=INK, linewidth=0.8, linestyle=(0, (1, 2)))
+    overall = run.ship.particulars.length_overall_m
+    axes.axhline(overall, color=INK, linewidth=0.8, linestyle=(0, (1, 2)))
     axes.set_yscale("log")
-    axes.set_ylim(SHORTEST_SHOWN_M, 2.0 * length)
+    axes.set_ylim(SHORTEST_SHOWN_M, 2.0 * overall)
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.yaxis.set_minor_formatter(NullFormatter())
 
 
-def _add_periods(axes: Axes) -> None:
+def _add_periods(axes: Axes, depth_m: float) -> None:
     """A second scale with the period of a wave of each length."""
-    period = axes.secondary_yaxis("right", functions=(_period_of_length, _length_of_period))
+
+    def period_of(length_m: ArrayLike) -> Array:
+        number = 2.0 * math.pi / np.maximum(np.asarray(length_m, dtype=np.float64), 1e-9)
+        return np.asarray(2.0 * math.pi / np.sqrt(GRAVITY_M_S2 * number * np.tanh(number * depth_m)))
+
+    def length_of(period_s: ArrayLike) -> Array:
+        waves = 2.0 * math.pi / np.maximum(np.asarray(period_s, dtype=np.float64), 1e-9)
+        return wave_length(waves, GRAVITY_M_S2, depth_m)
+
+    period = axes.secondary_yaxis("right", functions=(period_of, length_of))
     period.set_ylabel("wave period, s")
     period.set_yticks(PERIODS_S)
     period.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
@@ -110,11 +121,3 @@ def _add_periods(axes: Axes) -> None:
 def _heading_words(heading_deg: float) -> str:
     known = {180.0: "head seas, 180°", 0.0: "following seas, 0°", 90.0: "beam seas, 90°"}
     return known.get(heading_deg, f"heading {short(heading_deg)}°")
-
-
-def _period_of_length(length_m: ArrayLike) -> Array:
-    return np.asarray(np.sqrt(2.0 * math.pi * np.maximum(np.asarray(length_m, dtype=np.float64), 1e-9) / GRAVITY_M_S2))
-
-
-def _length_of_period(period_s: ArrayLike) -> Array:
-    return np.asarray(GRAVITY_M_S2 * np.asarray(period_s, dtype=np.float64) ** 2 / (2.0 * math.pi))

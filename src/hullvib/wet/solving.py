@@ -25,6 +25,7 @@ Array = NDArray[np.float64]
 FUNCTIONS = 12
 """Dry modes in a wet mode."""
 _TAIL_STEPS = 50
+_LEAST_TAIL = 0.5  # of the added mass: the tail is the first term of a series
 
 
 def solve(
@@ -70,7 +71,7 @@ def solve(
     elastic = [n for n in range(len(squares)) if n not in (heave, pitch)][:modes]
     factors = np.ones(modes)
     if frequency_tail:
-        pick = [_with_tail(eigen, n, flow.breadth_m / flow.gravity_m_s2) for n in elastic]
+        pick = [_with_tail(eigen, n, mass + added.matrix, flow.breadth_m / flow.gravity_m_s2) for n in elastic]
         squares, vectors = squares.copy(), vectors.copy()
         for n, (square, vector, _) in zip(elastic, pick, strict=True):
             squares[n], vectors[:, n] = square, vector
@@ -119,6 +120,7 @@ def solve(
         generalised_mass=of_ship,
         generalised_added_mass=of_water,
         hydrostatic_stiffness_share=of_buoyancy / whole,
+        tail=factors,
     )
 
 
@@ -152,15 +154,25 @@ def _rigid_modes(shares: Array) -> tuple[int, int]:
 
 
 def _with_tail(
-    eigen: Callable[[float], tuple[Array, Array, Array]], mode: int, breadth_over_gravity: float
+    eigen: Callable[[float], tuple[Array, Array, Array]], mode: int, inertia: Array, breadth_over_gravity: float
 ) -> tuple[float, Array, float]:
-    """One mode's square, vector and the factor of its added mass, which depends on the frequency."""
-    square, factor = float(eigen(1.0)[0][mode]), 1.0
+    """One mode's square, vector and the factor of its added mass, which depends on the frequency.
+
+    The mode is followed by its shape, over the whole inertia, from step to step.
+    """
+    squares, vectors, _ = eigen(1.0)
+    square, vector = float(squares[mode]), vectors[:, mode]
     for _ in range(_TAIL_STEPS):
         waves = square * breadth_over_gravity / 2.0
-        factor = max(1.0 - 4.0 / (3.0 * np.pi * max(waves, 1e-300)), 0.0)
-        squares, vectors, _ = eigen(factor)
-        change, square = abs(float(squares[mode]) / square - 1.0), float(squares[mode])
-        if change < 1e-12:
+        factor = 1.0 - 4.0 / (3.0 * np.pi * max(waves, 1e-300))
+        if factor < _LEAST_TAIL:
             break
-    return square, vectors[:, mode], factor
+        squares, vectors, _ = eigen(factor)
+        mode = int(np.argmax(np.abs(vector @ inertia @ vectors) / np.sqrt(np.diagonal(vectors.T @ inertia @ vectors))))
+        change, square, vector = abs(float(squares[mode]) / square - 1.0), float(squares[mode]), vectors[:, mode]
+        if change < 1e-12:
+            return square, vector, factor
+    raise SolutionError(
+        f"a mode near {np.sqrt(square) / (2 * np.pi):.3g} Hz makes waves: its added mass lies far from the limit of "
+        "high frequency, and frequency_tail does not hold; leave it out."
+    )

@@ -36,7 +36,8 @@ class WetModes:
     dry modes that they are made of, two rigid-body motions besides; heave and pitch those that were told apart by their
     shape; added_mass of the functions, heave and pitch first; coefficients (modes, 2 + functions) of the wet shapes in
     them; generalised_mass and generalised_added_mass (modes,) in kg, for a largest amplitude of 1 m;
-    hydrostatic_stiffness_share (modes,) of the whole stiffness.
+    hydrostatic_stiffness_share (modes,) of the whole stiffness; tail (modes,), the factor of each mode's added mass by
+    its frequency, 1 in the limit.
     """
 
     modes: Modes
@@ -48,6 +49,7 @@ class WetModes:
     generalised_mass: Array
     generalised_added_mass: Array
     hydrostatic_stiffness_share: Array
+    tail: Array
 
     @property
     def frequency_ratios(self) -> Array:
@@ -65,7 +67,8 @@ class WetModes:
     def force_kg_per_m(self) -> Array:
         """Vertical force of the water per length and unit acceleration of each wet mode, (modes, cells), between
         `added_mass.edges_m`: positive against upward acceleration."""
-        return np.asarray(self.coefficients @ self.added_mass.force_kg_per_m, dtype=np.float64)
+        limit = self.coefficients @ self.added_mass.force_kg_per_m
+        return np.asarray(self.tail[:, None] * limit, dtype=np.float64)
 
     def added_mass_per_length(self, least: float = 0.1) -> Array:
         """Added mass along the ship of each mode in kg/m, (modes, cells): the force over the deflection there.
