@@ -123,6 +123,25 @@ def test_what_no_waterline_shows_is_told(tmp_path: Path) -> None:
     assert lowest == [[0.0, 1.0], [0.0, 0.0], [0.0, 0.0]]
 
 
+def test_a_table_from_deck_to_keel_is_turned_round(tmp_path: Path) -> None:
+    rows = POINTS.splitlines(keepends=True)
+    upward, downward = read(tmp_path, POINTS), read(tmp_path, rows[0] + "".join(reversed(rows[1:])))
+    for one, other in zip(upward.stations, downward.stations, strict=True):
+        np.testing.assert_array_equal(one.curves[0].points, other.curves[0].points)
+
+
+def test_points_out_of_order_are_told_unless_they_are_numbered(tmp_path: Path) -> None:
+    parabola = [(x, 0.15 * z * (20 - z) * x / 180, z) for x in (10, 95, 180) for z in (0, 1, 3, 6, 9, 10)]
+    shuffled = np.random.default_rng(2).permutation(len(parabola))
+    rows = [f"{parabola[i][0]},{parabola[i][1]},{parabola[i][2]}" for i in shuffled]
+    with pytest.raises(BodyPlanError, match=r"at x = \d+ m crosses itself; give its points in order .* named point"):
+        read(tmp_path, HEADER + "\n".join(rows))
+    numbered = [f"{row},{i}" for row, i in zip(rows, shuffled, strict=True)]
+    body_plan = read(tmp_path, HEADER.rstrip() + ",point\n" + "\n".join(numbered))
+    for station in body_plan.stations:
+        assert (np.diff(station.curves[0].height_m) > 0).all()
+
+
 def test_units_and_the_place_of_the_zero_are_obeyed(tmp_path: Path) -> None:
     rows = [[float(v) for v in line.split(",")] for line in POINTS.splitlines()[1:]]
     feet = "".join(f"{(x - 5) / 0.3048!r},{y / 0.3048!r},{(z - 1) / 0.3048!r}\n" for x, y, z in rows)
@@ -137,6 +156,7 @@ def test_units_and_the_place_of_the_zero_are_obeyed(tmp_path: Path) -> None:
         ("", "has 0 rows"),
         ("station_x_m,half_breadth_m\n1,2\n", "line 1: has no column height_m; it has station_x_m, half_breadth_m"),
         ("z,10,95,180\n0,0,15,0\n", "or is wide: its first cell is height_m and stations' x stand beside it"),
+        ("station_x_m,curve,half_breadth_m,height_m\n10,1.5,0,0\n", "line 2: curve = 1.5; curves are numbered 0, 1, 2"),
         (POINTS.replace("10,15,17", "10,abc,17"), "line 4, column half_breadth_m: 'abc' is no number"),
         (POINTS.replace("10,15,17", "10,nan,17"), "line 4, column half_breadth_m: 'nan' is no number"),
         (POINTS.replace("10,15,17", "10,,17"), "line 4: half_breadth_m is empty"),
