@@ -2,10 +2,10 @@
 
 Keel and deck answer to keel and deck, a neck (where the contour is narrowest between a bulb and the body above it, or
 the stretch of centre line between two contours) to the neck of the next section or, where it has none, to the same
-height on it; a corner answers to the corner near it. Between these places answer to one another that are near in
-place and in direction (`alignment`): the bottom to the bottom, the turn of the bilge to the turn of the bilge, whatever
-their lengths, and a knuckle to the bend that it fades into. Every such map from a section to its neighbour increases
-strictly: maps can be chained and turned round.
+height on it; a corner answers to the corner near it that turns the same way. Between these, places answer to one
+another that are near in place and in direction (`alignment`): the bottom to the bottom, the turn of the bilge to the
+turn of the bilge, whatever their lengths, and a knuckle to the bend that it fades into. Every such map from a section
+to its neighbour increases strictly: maps can be chained and turned round.
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ Array = NDArray[np.float64]
 # next section's; what is on the centre line.
 _NECK = 0.01
 _CORNER_REACH = 0.25
+_SIDE = 0.02  # of the breadth: how far on either side of a corner it is told which way the section turns
 _ON_CENTRE = 1e-6
 # Parameters nearer than this, of the whole, are pushed apart so far, that maps increase.
 _APART = 1e-9
@@ -36,12 +37,14 @@ _TURNING_SHARE = 0.6  # of the need for points that follows the turning of the c
 
 @dataclass(frozen=True, eq=False)
 class _Landmarks:
-    """A section (k, 2), lengths along it, its neck (from, to) if it has one, and its corners, as lengths."""
+    """A section (k, 2), lengths along it, its neck (from, to) if it has one, its corners, as lengths, and which way the
+    section turns there, 1 or -1."""
 
     points: Array
     arc: Array
     neck: tuple[float, float] | None
     corners: Array
+    turns: Array
 
     def height(self, arc: float) -> float:
         return float(np.interp(arc, self.arc, self.points[:, 1]))
@@ -111,7 +114,10 @@ def _landmarks(points: Array, breadth_m: float) -> _Landmarks:
     arc = arc_along(points)
     if arc[-1] <= 0:
         arc = np.linspace(0.0, _APART, len(points))
-    return _Landmarks(points, arc, _neck(points, arc, breadth_m), arc[corners_of(points, breadth_m)])
+    corners = arc[corners_of(points, breadth_m)]
+    before, here, after = (at_arc(points, arc, corners + side * _SIDE * breadth_m) for side in (-1, 0, 1))
+    (y1, z1), (y2, z2) = (here - before).T, (after - here).T
+    return _Landmarks(points, arc, _neck(points, arc, breadth_m), corners, np.sign(y1 * z2 - z1 * y2))
 
 
 def _neck(points: Array, arc: Array, breadth_m: float) -> tuple[float, float] | None:
@@ -187,11 +193,12 @@ def _increasing(pairs: list[tuple[float, float]], one: _Landmarks, other: _Landm
 
 
 def _corner_pairs(one: _Landmarks, other: _Landmarks, breadth_m: float) -> list[tuple[float, float]]:
-    """Corners that are each other's nearest, and near, the nearest first."""
+    """Corners that turn the same way and are each other's nearest, and near, the nearest first."""
     if not len(one.corners) or not len(other.corners):
         return []
     here, there = at_arc(one.points, one.arc, one.corners), at_arc(other.points, other.arc, other.corners)
     apart = np.linalg.norm(here[:, None] - there, axis=-1)
+    apart[one.turns[:, None] != other.turns] = np.inf
     mutual = [
         (float(apart[i, j]), float(one.corners[i]), float(other.corners[j]))
         for i in range(len(here))

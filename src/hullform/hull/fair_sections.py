@@ -16,24 +16,28 @@ _STEEPEST = 3.0
 def fair_sections(x: Array, points: Array) -> CubicHermiteSpline:
     """Cubics along the ship through points (sections, m, 2) at x (sections,), two sections or more.
 
-    No point leaves the range of its coordinates on the two sections beside it: its slope is that of the parabola
-    through it and its neighbours, at either end through the last three, as far as it does not overshoot, which is none
-    at a largest or least value and elsewhere three times the lesser slope beside it at the most (Fritsch and Carlson,
-    SIAM J. Numer. Anal. 17, 1980; Hyman, SIAM J. Sci. Stat. Comput. 4, 1983). Parabolas that need no bound come back
-    as they are; harmonic means of the slopes (PCHIP) flatten them.
-
-    Nor does a section double back between two that go the same way (`_kept_in_order`).
+    No point leaves the range of its coordinates on the two sections beside it (`monotone_cubic`), and no section
+    doubles back between two that go the same way (`_kept_in_order`).
     """
+    return CubicHermiteSpline(x, points, _kept_in_order(x, points, _without_overshoot(x, points)), axis=0)
+
+
+def monotone_cubic(x: Array, values: Array) -> CubicHermiteSpline:
+    """A cubic through values (n, ...) at x (n,), n >= 2, that stays between those of the two places beside it.
+
+    Its slope at a place is that of the parabola through it and its neighbours, at either end through the last three,
+    as far as it does not overshoot, which is none at a largest or least value and elsewhere three times the lesser
+    slope beside it at the most (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980; Hyman, SIAM J. Sci. Stat. Comput.
+    4, 1983). Parabolas that need no bound come back as they are; harmonic means of the slopes (PCHIP) flatten them.
+    """
+    return CubicHermiteSpline(x, values, _without_overshoot(x, values), axis=0)
+
+
+def _without_overshoot(x: Array, values: Array) -> Array:
+    step = np.diff(x).reshape(-1, *(1,) * (values.ndim - 1))
+    slope = np.diff(values, axis=0) / step
     if len(x) < 3:
-        slope = np.broadcast_to(np.diff(points, axis=0) / np.diff(x)[:, None, None], points.shape)
-    else:
-        slope = _kept_in_order(x, points, _without_overshoot(x, points))
-    return CubicHermiteSpline(x, points, slope, axis=0)
-
-
-def _without_overshoot(x: Array, points: Array) -> Array:
-    step = np.diff(x)[:, None, None]
-    slope = np.diff(points, axis=0) / step
+        return np.repeat(slope, 2, axis=0)
     inner = (step[1:] * slope[:-1] + step[:-1] * slope[1:]) / (step[1:] + step[:-1])
     wanted = np.concatenate([2 * slope[:1] - inner[:1], inner, 2 * slope[-1:] - inner[-1:]])
     before, after = np.concatenate([slope[:1], slope]), np.concatenate([slope, slope[-1:]])
