@@ -26,6 +26,8 @@ _BROADER = 0.02
 _OTHER_UNIT = 3.0
 # Of a section's size: what is smaller may be the rounding of its points.
 _ROUNDING = 1e-3
+# Cosine of a turn of 155 degrees: the sharpest knuckle of a chine or a bulwark is far from it.
+_BACK = -0.9
 
 
 class _Point(NamedTuple):
@@ -132,23 +134,28 @@ def _curve(path: Path, x_m: float, points: Sequence[_Point]) -> TracedCurve:
         if not 0 <= point.confidence <= 1:
             raise BodyPlanError(f"{path}: confidence = {point.confidence:g} at x = {x_m:g} m; it is from 0 to 1")
     line = np.array([[point.half_breadth_m, point.height_m] for point in ordered])
-    if line[-1, 1] < line[0, 1]:
-        line = line[::-1]
+    if float(np.trapezoid(line[:, 0], line[:, 1])) < 0:
+        line = line[::-1]  # from deck to keel
     _require_order(path, x_m, line)
     line = enough_points(line)
     return TracedCurve(line[:, 0], line[:, 1], min(point.confidence for point in ordered))
 
 
 def _require_order(path: Path, x_m: float, line: Array) -> None:
-    """No section crosses itself, but for what rounding of its points does: points that do are out of order."""
+    """No section crosses itself or turns back the way it came, but for what rounding does: points out of order do."""
     import shapely
 
     drawn = shapely.LineString(line)
     rounded = drawn.simplify(_ROUNDING * float(np.ptp(line, axis=0).max()), preserve_topology=False)
-    if not (drawn.is_simple or rounded.is_simple):
+    step = np.diff(np.asarray(rounded.coords), axis=0)
+    ways = step / np.hypot(*step.T)[:, None]
+    back = np.flatnonzero((ways[1:] * ways[:-1]).sum(axis=1) < _BACK)
+    if back.size or not (drawn.is_simple or rounded.is_simple):
+        y, z = rounded.coords[int(back[0]) + 1] if back.size else line[0]
+        what = f"turns back at y = {y:g} m, z = {z:g} m" if back.size else "crosses itself"
         raise BodyPlanError(
-            f"{path}: the curve of the station at x = {x_m:g} m crosses itself; give its points in order from keel to "
-            "deck, or number them in a column named point"
+            f"{path}: the curve of the station at x = {x_m:g} m {what}; give its points in order from keel to deck, or "
+            "number them in a column named point"
         )
 
 

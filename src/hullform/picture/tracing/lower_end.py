@@ -50,7 +50,8 @@ def lower_end(
     part = arc <= STRETCH * size
     near = y[part], z[part]
     if z[0] <= y[0]:
-        fans = ink is not None and z[0] > LEAST_RISE * width_px and _drawn_to_keel(y[0], z[0], frame, ink, width_px)
+        clear = z[0] > 2 * LEAST_RISE * width_px  # half of the way to the keel can be looked at
+        fans = ink is not None and clear and _drawn_to_keel(y[0], z[0], frame, ink, width_px)
         added_y, added_z = (np.zeros(1), np.zeros(1)) if fans else _down_to_base_line(*near, size)
     elif near[0][-1] - y[0] > near[1][-1] - z[0]:
         added_y, added_z = _level_to_centre_line(*near)
