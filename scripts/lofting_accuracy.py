@@ -7,6 +7,7 @@ FOLDER holds hulls/NAME/offsets.json; without the hulls nothing is written. `tes
 
 from __future__ import annotations
 
+import itertools
 import sys
 import time
 from collections import Counter
@@ -14,6 +15,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from drawing.ships import outline
+from fairness import Waves, distances, drawn_plan, waves_of, waves_of_form
 
 from hullform.hull import Hull
 from hullform.hull.crossings import crossing_triangles
@@ -25,6 +28,7 @@ if TYPE_CHECKING:
     from hullform.hull.ladder import Choice
 
 ROOT = Path(__file__).parents[1]
+OWN = ("handymax-bulk-carrier", "fast-ropax")
 # Of the largest section: a station's area below the waterline counts as no less, or a counter that touches the water
 # would be asked for square centimetres.
 LEAST_AREA = 1e-3
@@ -44,12 +48,25 @@ the project.
   stations, or a formula); LCB of the length.
 - **crossing**: pairs of triangles of the mesh that go through one another without a vertex in common.
 - **mesh**: volume of the mesh against the integral of the sections.
+- **waves**: bends of 14 waterlines between stations beyond those that the stations ask for, and the largest: its
+  sagitta over the distance of the stations, of the breadth (`scripts/fairness.py`). A feature that begins between two
+  stations, as a tunnel or a transom does, counts among them.
 - **time**: of models and loft, processor seconds, without the mesh.
 
 """
+BETWEEN = """
+## Between the stations
+
+Two ships of `bodyplans/`, whose form is known everywhere, lofted from their sections at the stations drawn: how far the
+hull lies from the form at five places between each two stations, in per cent of the breadth, and the waves of both.
+The largest distances are where something begins between two stations: the skeg, the bulb, the stem.
+
+| ship | median, % | 90 % within, % | largest, % | at x, m | waves | largest, % | of the form | largest, % |
+|---|---|---|---|---|---|---|---|---|
+"""
 COLUMNS = (
     "hull", "stations", "models", "deviation, %", "area, %", "volume, %", "LCB, %", "watertight", "crossing", "mesh, %",
-    "triangles", "time, s",
+    "triangles", "waves", "largest, %", "time, s",
 )  # fmt: skip
 LETTERS = {
     "super-ellipse": "e",
@@ -73,6 +90,7 @@ class Lofted(NamedTuple):
     crossings: int
     mesh_error_percent: float
     triangles: int
+    waves: Waves
     seconds: float
 
 
@@ -106,7 +124,24 @@ def measured(drawn: OffsetsHull, sections: Choice = "auto") -> Lofted:
         crossings=len(crossing_triangles(np.asarray(mesh.vertices), np.asarray(mesh.faces))),
         mesh_error_percent=100 * (float(mesh.volume) / hull.volume_m3 - 1),
         triangles=len(mesh.faces),
+        waves=waves_of(hull, np.unique([station.x_m for station in drawn.body_plan.stations])),
         seconds=seconds,
+    )
+
+
+def between_stations(ship: str) -> str:
+    """The line of a ship of which the form is known everywhere."""
+    form = outline(ship)
+    plan = drawn_plan(form)
+    hull = Hull.from_body_plan(plan, form.particulars)
+    x = np.unique([station.x_m for station in plan.stations])
+    places = np.concatenate([np.linspace(a, b, 7)[1:-1] for a, b in itertools.pairwise(x)])
+    apart = distances(hull, form, places)
+    lofted, own = waves_of(hull, x), waves_of_form(form, x)
+    return (
+        f"| {ship} | {np.median(apart):.2f} | {np.quantile(apart, 0.9):.2f} | {apart.max():.2f} | "
+        f"{places[apart.argmax()]:.1f} | {lofted.count} | {lofted.largest_percent:.2f} | {own.count} | "
+        f"{own.largest_percent:.2f} |\n"
     )
 
 
@@ -123,10 +158,12 @@ def main() -> None:
         rows.append(
             f"| {name} | {r.stations} | {r.models} | {r.deviation_percent:.2f} | {r.area_error_percent:.2f} | "
             f"{r.volume_error_percent:+.2f} | {r.lcb_error_percent:+.2f} | {'yes' if r.watertight else 'no'} | "
-            f"{r.crossings} | {r.mesh_error_percent:+.3f} | {r.triangles} | {r.seconds:.1f} |"
+            f"{r.crossings} | {r.mesh_error_percent:+.3f} | {r.triangles} | {r.waves.count} | "
+            f"{r.waves.largest_percent:.2f} | {r.seconds:.1f} |"
         )
         print(rows[-1])
-    (ROOT / "docs" / "lofting.md").write_text(HEAD + "\n".join(rows) + "\n", encoding="utf-8")
+    between = "".join(between_stations(ship) for ship in OWN)
+    (ROOT / "docs" / "lofting.md").write_text(HEAD + "\n".join(rows) + "\n" + BETWEEN + between, encoding="utf-8")
 
 
 if __name__ == "__main__":

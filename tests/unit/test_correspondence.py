@@ -84,3 +84,13 @@ def test_bottom_answers_to_bottom_and_bilge_to_bilge() -> None:
     # amid the turn: half of it lies either side, but for what the flat and the upright parts are longer
     assert np.linalg.norm(found[2][corner] - [4 + 0.9 * 0.7071, 0.9 * 0.2929]) < 0.15
     assert len(corners_of(rounded, BREADTH)) == 0
+
+
+def test_the_two_knuckles_of_a_chine_strip_are_not_taken_for_one_another() -> None:
+    # outwards, level, upwards: the inner knuckle of the second lies where the outer one of the first was
+    strips = [((3.0, 2.0), (3.6, 2.0)), ((3.55, 2.2), (4.15, 2.2))]
+    sections = [polyline((0, 0), inner, outer, (5, 6)) for inner, outer in strips]
+    found = matched_points(sections, 121, BREADTH)
+    for which in (0, 1):
+        numbers = [number_of(points, np.array(strip[which])) for points, strip in zip(found, strips, strict=True)]
+        assert numbers[0] == numbers[1]

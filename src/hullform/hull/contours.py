@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import PchipInterpolator
 
 from hullform.errors import HullError
+from hullform.hull.fair_sections import fair_sections
 from hullform.hull.sections import Cut
 from hullform.hull.super_ellipse import ShellSection
 
@@ -67,8 +67,8 @@ class Contours:
         return np.asarray(self.outline[..., 1].min(axis=-1))
 
     def interpolated(self, x: Array, at: ArrayLike) -> Contours:
-        """Sections given at x (sections,) at other places: every point follows monotone cubics, without overshoot."""
-        between = PchipInterpolator(x, self.outline, axis=0)(np.asarray(at, dtype=np.float64))
+        """Sections given at x (sections,) at other places: every point follows a cubic without overshoot."""
+        between = fair_sections(x, self.outline)(np.asarray(at, dtype=np.float64))
         between[..., 0] = np.maximum(between[..., 0], 0.0)
         return Contours(between)
 

@@ -2,9 +2,10 @@
 
 Keel and deck answer to keel and deck, a neck (where the contour is narrowest between a bulb and the body above it, or
 the stretch of centre line between two contours) to the neck of the next section or, where it has none, to the same
-height on it; a corner answers to the corner near it. Between these the section is divided by |dy| / Int|dy| +
-|dz| / Int|dz|: the bottom answers to the bottom, the turn of the bilge to the turn of the bilge, whatever their
-lengths. Every such map from a section to its neighbour increases strictly: maps can be chained and turned round.
+height on it; a corner answers to the corner near it that turns the same way. Between these, places answer to one
+another that are near in place and in direction (`alignment`): the bottom to the bottom, the turn of the bilge to the
+turn of the bilge, whatever their lengths, and a knuckle to the bend that it fades into. Every such map from a section
+to its neighbour increases strictly: maps can be chained and turned round.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from hullform.hull.alignment import Stretch, aligned
 from hullform.hull.outlines import arc_along, at_arc, corners_of
 
 Array = NDArray[np.float64]
@@ -24,10 +26,10 @@ Array = NDArray[np.float64]
 # next section's; what is on the centre line.
 _NECK = 0.01
 _CORNER_REACH = 0.25
+_SIDE = 0.02  # of the breadth: how far on either side of a corner it is told which way the section turns
 _ON_CENTRE = 1e-6
 # Parameters nearer than this, of the whole, are pushed apart so far, that maps increase.
 _APART = 1e-9
-_LENGTH_TRACE = 1e-6
 _SAME = 1e-6  # of the whole: landmarks of different sections that come so near are one
 _DENSE = 240  # places a section at which the need for points is asked
 _TURNING_SHARE = 0.6  # of the need for points that follows the turning of the curve, beside its length
@@ -35,12 +37,14 @@ _TURNING_SHARE = 0.6  # of the need for points that follows the turning of the c
 
 @dataclass(frozen=True, eq=False)
 class _Landmarks:
-    """A section (k, 2), lengths along it, its neck (from, to) if it has one, and its corners, as lengths."""
+    """A section (k, 2), lengths along it, its neck (from, to) if it has one, its corners, as lengths, and which way the
+    section turns there, 1 or -1."""
 
     points: Array
     arc: Array
     neck: tuple[float, float] | None
     corners: Array
+    turns: Array
 
     def height(self, arc: float) -> float:
         return float(np.interp(arc, self.arc, self.points[:, 1]))
@@ -72,8 +76,7 @@ def matched_points(sections: Sequence[Array], count: int, breadth_m: float) -> A
     Corners of every section are among them; the others, up to `count`, stand close where any section is long or turns.
     """
     marked = [_landmarks(points, breadth_m) for points in sections]
-    maps = [_map(one, other, breadth_m) for one, other in itertools.pairwise(marked)]
-    common = _Common([land.arc[-1] for land in marked], maps)
+    common = _Common([land.arc[-1] for land in marked], _maps(marked, breadth_m))
     wanted = _parameters(marked, common, count)
     return np.stack([at_arc(land.points, land.arc, common.to_section(n, wanted)) for n, land in enumerate(marked)])
 
@@ -111,7 +114,10 @@ def _landmarks(points: Array, breadth_m: float) -> _Landmarks:
     arc = arc_along(points)
     if arc[-1] <= 0:
         arc = np.linspace(0.0, _APART, len(points))
-    return _Landmarks(points, arc, _neck(points, arc, breadth_m), arc[corners_of(points, breadth_m)])
+    corners = arc[corners_of(points, breadth_m)]
+    before, here, after = (at_arc(points, arc, corners + side * _SIDE * breadth_m) for side in (-1, 0, 1))
+    (y1, z1), (y2, z2) = (here - before).T, (after - here).T
+    return _Landmarks(points, arc, _neck(points, arc, breadth_m), corners, np.sign(y1 * z2 - z1 * y2))
 
 
 def _neck(points: Array, arc: Array, breadth_m: float) -> tuple[float, float] | None:
@@ -128,8 +134,25 @@ def _neck(points: Array, arc: Array, breadth_m: float) -> tuple[float, float] | 
     return float(arc[there[0]]), float(arc[there[-1]])
 
 
-def _map(one: _Landmarks, other: _Landmarks, breadth_m: float) -> tuple[Array, Array]:
-    """The map from lengths along a section to lengths along the next, as knots of a polyline; both increase."""
+def _maps(marked: Sequence[_Landmarks], breadth_m: float) -> list[tuple[Array, Array]]:
+    """Maps from lengths along each section to lengths along the next, as knots of polylines; both increase."""
+    tied = [_tied(one, other, breadth_m) for one, other in itertools.pairwise(marked)]
+    stretches = [
+        (Stretch(one.points, one.arc, start[0], end[0]), Stretch(other.points, other.arc, start[1], end[1]))
+        for (one, other), pairs in zip(itertools.pairwise(marked), tied, strict=True)
+        for start, end in itertools.pairwise(pairs)
+    ]
+    parts = iter(aligned(stretches, breadth_m)) if stretches else iter(())
+    maps = []
+    for pairs in tied:
+        knots = [next(parts) for _ in pairs[1:]]
+        first, second = (np.concatenate([knots[0][n], *(part[n][1:] for part in knots[1:])]) for n in (0, 1))
+        maps.append((first, second))
+    return maps
+
+
+def _tied(one: _Landmarks, other: _Landmarks, breadth_m: float) -> list[tuple[float, float]]:
+    """Lengths along a section and along the next that answer to one another as landmarks, keel and deck among them."""
     pairs = [(0.0, 0.0), *_neck_pairs(one, other), (float(one.arc[-1]), float(other.arc[-1]))]
     pairs = _increasing(pairs, one, other)
     for pair in _corner_pairs(one, other, breadth_m):
@@ -137,10 +160,7 @@ def _map(one: _Landmarks, other: _Landmarks, breadth_m: float) -> tuple[Array, A
         # a corner that would cross what is tied already, or stands on it, is not tied
         if all(b[0] > a[0] and b[1] > a[1] for a, b in itertools.pairwise(tried)):
             pairs = tried
-    knots = [_between(one, other, start, end) for start, end in itertools.pairwise(pairs)]
-    first = np.concatenate([knots[0][0], *(part[0][1:] for part in knots[1:])])
-    second = np.concatenate([knots[0][1], *(part[1][1:] for part in knots[1:])])
-    return first, second
+    return pairs
 
 
 def _neck_pairs(one: _Landmarks, other: _Landmarks) -> list[tuple[float, float]]:
@@ -173,11 +193,12 @@ def _increasing(pairs: list[tuple[float, float]], one: _Landmarks, other: _Landm
 
 
 def _corner_pairs(one: _Landmarks, other: _Landmarks, breadth_m: float) -> list[tuple[float, float]]:
-    """Corners that are each other's nearest, and near, the nearest first."""
+    """Corners that turn the same way and are each other's nearest, and near, the nearest first."""
     if not len(one.corners) or not len(other.corners):
         return []
     here, there = at_arc(one.points, one.arc, one.corners), at_arc(other.points, other.arc, other.corners)
     apart = np.linalg.norm(here[:, None] - there, axis=-1)
+    apart[one.turns[:, None] != other.turns] = np.inf
     mutual = [
         (float(apart[i, j]), float(one.corners[i]), float(other.corners[j]))
         for i in range(len(here))
@@ -185,26 +206,6 @@ def _corner_pairs(one: _Landmarks, other: _Landmarks, breadth_m: float) -> list[
         if apart[:, j].argmin() == i and apart[i, j] <= _CORNER_REACH * breadth_m
     ]
     return [(a, b) for _, a, b in sorted(mutual)]
-
-
-def _between(
-    one: _Landmarks, other: _Landmarks, start: tuple[float, float], end: tuple[float, float]
-) -> tuple[Array, Array]:
-    """Knots of the map between two landmarks: places of the same share of what the contour does across and upward."""
-    shares, arcs = [], []
-    for land, low, high in ((one, start[0], end[0]), (other, start[1], end[1])):
-        inside = (land.arc > low) & (land.arc < high)
-        arc = np.concatenate([[low], land.arc[inside], [high]])
-        steps = np.abs(np.diff(at_arc(land.points, land.arc, arc), axis=0))
-        whole = steps.sum(axis=0)
-        measure = np.divide(steps, whole, out=np.zeros_like(steps), where=whole > 1e-6 * whole.max()).sum(axis=1)
-        # a trace of the length itself keeps it increasing, and stands for all where the contour stays on one place
-        measure = measure / max(float(measure.sum()), 1e-300) + _LENGTH_TRACE * np.diff(arc) / (high - low)
-        along = np.append(0.0, np.cumsum(measure))
-        shares.append(along / along[-1])
-        arcs.append(arc)
-    share = np.unique(np.concatenate(shares))
-    return np.interp(share, shares[0], arcs[0]), np.interp(share, shares[1], arcs[1])
 
 
 def _parameters(marked: list[_Landmarks], common: _Common, count: int) -> Array:

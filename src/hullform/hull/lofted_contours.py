@@ -7,17 +7,17 @@ from itertools import groupby
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import PchipInterpolator
 
 from hullform.errors import HullError
 from hullform.hull.contours import Contours
 from hullform.hull.correspondence import matched_points
 from hullform.hull.drawn import FittedStation, outer_breadths, outer_heights, with_ends
+from hullform.hull.fair_sections import fair_sections
 
 Array = NDArray[np.float64]
 
 # Points of a section from keel to deck, corners on top of them.
-POINTS = 121
+POINTS = 141
 # Of the distance between lofted sections: one that comes nearer to a drawn station gives way to it.
 _NEAREST = 0.4
 # Of its depth: what is left of the last section, at the least, where its keel rises to the deck outside it.
@@ -38,11 +38,11 @@ def places_with_stations(x: Array, drawn_x: Array) -> Array:
 def lofted_contours(stations: Sequence[FittedStation], x: Array, breadth_m: float) -> Contours:
     """Loft stations, of several at one x the mean, to the places x.
 
-    Matched points (`correspondence`) follow monotone cubics between the drawn stations. A bulb or gondola apart from
-    the body above it closes as half an ellipsoid where the next station has none, or where there is no next. Beyond the
-    outermost stations the last section goes on, its breadth as the parabola through the greatest breadths of the last
-    three has it, held to 0..its own and never growing outwards, its keel and deck in straight lines, by no more than
-    their last drawn step and not quite to each other.
+    Matched points (`correspondence`) follow cubics without overshoot between the drawn stations (`fair_sections`). A
+    bulb or gondola apart from the body above it closes as half an ellipsoid where the next station has none, or where
+    there is no next. Beyond the outermost stations the last section goes on, its breadth as the parabola through the
+    greatest breadths of the last three has it, held to 0..its own and never growing outwards, its keel and deck in
+    straight lines, by no more than their last drawn step and not quite to each other.
 
     Raises:
         HullError: there are fewer than three stations at different x, or none has a shape.
@@ -60,7 +60,7 @@ def lofted_contours(stations: Sequence[FittedStation], x: Array, breadth_m: floa
     matched = matched_points(outlines, POINTS, breadth_m)
     matched[..., 0] = np.maximum(matched[..., 0], 0.0)
     held = np.clip(x, drawn_x[0], drawn_x[-1])
-    lofted = PchipInterpolator(drawn_x, matched, axis=0)(held)
+    lofted = fair_sections(drawn_x, matched)(held)
     for number, beside in _lower_contours_that_end(matched):
         reach = np.abs(x - drawn_x[number])
         first, second = sorted((drawn_x[number], drawn_x[beside]))
