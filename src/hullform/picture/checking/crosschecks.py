@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.body_plan import Half, Station, TracedCurve
+from hullform.picture.naming.fair_lines import beside_fair_lines
 from hullform.ship import Particulars, Water
 
 Array = NDArray[np.float64]
@@ -114,34 +115,16 @@ def _named(listed: list[float], curves: int) -> list[list[float]]:
 
 
 def _unfairness(names: Names, curves: Mapping[Half, Array]) -> float:
-    """Mean distance of half-breadths, in parts of B/2, from lines through their neighbours along the ship.
-
-    The lines are straight through one neighbour to either side or cubic through two, whichever passes nearer: at a
-    knuckle the first is fair, in a round bilge the second.
-    """
+    """Mean distance of half-breadths, in parts of B/2, from fair lines along the ship."""
     x = np.array([x for half in names for group in names[half] for x in group])
     y = np.concatenate([np.repeat(curves[half], [len(group) for group in names[half]], axis=0) for half in names])
     x, first = np.unique(x, return_index=True)
     y = y[first]
     if len(x) < 2 * FEWEST_CURVES:
         return 0.0
-    beside = np.abs(y[1:-1] - _through(x, y, (-1, 1), 1))
-    beside[1:-1] = np.fmin(beside[1:-1], np.abs(y[2:-2] - _through(x, y, (-2, -1, 1, 2), 2)))
+    beside = beside_fair_lines(x, y)
     known = np.isfinite(beside)
     return float(np.minimum(beside[known], LARGEST_UNFAIRNESS).mean()) if known.any() else 0.0
-
-
-def _through(x: Array, y: Array, neighbours: tuple[int, ...], margin: int) -> Array:
-    """Lagrange's polynomial through some neighbours of each station, at that station."""
-    at = np.arange(margin, len(x) - margin)
-    total = np.zeros((len(at), y.shape[1]))
-    for k in neighbours:
-        weight = np.ones(len(at))
-        for m in neighbours:
-            if m != k:
-                weight *= (x[at] - x[at + m]) / (x[at + k] - x[at + m])
-        total += weight[:, None] * y[at + k]
-    return total
 
 
 def _half_breadths(curve: TracedCurve, levels_m: Array) -> Array:
