@@ -54,7 +54,11 @@ def doubts(reading: PictureReading) -> str:
         (WIGLEY, (r"95.0, 97.5", "95.0"), "fore half: 10 curves seen but 9 stations listed"),
         (CONTAINER, (" 16.3, 19.4,", ""), "aft half: 13 curves seen but 11 stations listed; 2 stations are missing"),
         (WIGLEY, ("45.0,", "45.0, 47.5,"), r"10 curves for 11 stations, but the outermost, .* only 99.0 % of B/2"),
-        (CONTAINER, ("118.6,", "117, 118.6, 119, 120, 121, 122, 123, 124,"), "13 curves for 20 stations"),
+        (
+            CONTAINER,
+            ("118.6,", f"118.6, {', '.join(str(119 + k / 2) for k in range(15))},"),
+            "13 curves for 28 stations",
+        ),
         # a parallel body from 60 to 185 m is 52 % of the LPP
         (
             TANKER,

@@ -16,6 +16,7 @@ from hullform.picture.checking.crosschecks import crosscheck
 from hullform.picture.checking.doubts import (
     doubts_below_base,
     doubts_of_counts,
+    doubts_of_decks,
     doubts_of_edges,
     doubts_of_keel,
     doubts_of_scale,
@@ -167,7 +168,7 @@ def _read(sheet: Sheet, ship: Ship, corrections: Sequence[Correction]) -> Pictur
     if labels is None:
         notes.append(LABELS_NOT_READ)
     doubts = [*sheet.calibrated.doubts, *doubts_of_stations, *doubts_of_input, *doubts_of_edges(readings, sheet.bare)]
-    doubts += doubts_of_loose_ends(halves)
+    doubts += [*doubts_of_decks(halves, sheet.bare), *doubts_of_loose_ends(halves)]
     doubts = [*doubts_of_the_whole(len(doubts), sum(len(half.inner_first) for half in halves)), *doubts]
     calibration = sheet.calibrated.calibration
     body_plan = BodyPlan(tuple(stations), "picture", sheet.reduction.stored(calibration), tuple(notes), tuple(doubts))
