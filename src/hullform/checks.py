@@ -24,6 +24,10 @@ MESH_LIMIT_PERCENT = 0.1
 # Trim beyond which 'on even keel' is no description of the ship (by the stern, by the bow).
 TRIM_BY_STERN_LIMIT_PERCENT_LPP = 1.5
 TRIM_BY_BOW_LIMIT_PERCENT_LPP = 0.5
+REMEDY_OF_TRIM = (
+    "spread the weights so that LCG meets LCB, or add ballast; check aft_side, where the picture of a body plan may "
+    "have been taken the wrong way round"
+)
 # A shell of the given thickness stands for stiffeners, decks and bottom too: two to four times is usual.
 THICKNESS_FACTOR_LIMITS = (0.5, 6.0)
 # Where the members are given too, the model should come near: what is left is stiffeners, strakes and rounding.
@@ -251,7 +255,7 @@ def check_trim(lcg_m: float, floating: Hydrostatics) -> Check:
         100 * lever / floating.bm_longitudinal_m,
         (-TRIM_BY_BOW_LIMIT_PERCENT_LPP, TRIM_BY_STERN_LIMIT_PERCENT_LPP),
         "% of LPP",
-        "spread the weights so that LCG meets LCB, or add ballast",
+        REMEDY_OF_TRIM,
         usual=0.0,
     )
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from hullform.checks import (
     DISPLACEMENT_LIMIT_PERCENT,
     LCB_LIMIT_PERCENT_LPP,
+    REMEDY_OF_TRIM,
     TRIM_BY_BOW_LIMIT_PERCENT_LPP,
     TRIM_BY_STERN_LIMIT_PERCENT_LPP,
     Check,
@@ -28,7 +29,7 @@ def check_equilibrium_trim(trim_m: float, length_m: float) -> Check:
         100 * trim_m / length_m,
         (-TRIM_BY_BOW_LIMIT_PERCENT_LPP, TRIM_BY_STERN_LIMIT_PERCENT_LPP),
         "% of LPP",
-        "spread the weights so that LCG meets LCB, or add ballast",
+        REMEDY_OF_TRIM,
         usual=0.0,
     )
 

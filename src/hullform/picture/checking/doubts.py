@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.errors import PictureError
+from hullform.picture.checking.missing import where_missing
 from hullform.picture.image.ink import Ink
 from hullform.picture.naming.alignment import NO_CURVE
 from hullform.picture.naming.named_half import NamedHalf
@@ -53,8 +54,13 @@ def doubts_of_the_whole(doubts: int, stations: int) -> list[str]:
     ]
 
 
-def doubts_of_counts(halves: Sequence[NamedHalf]) -> list[str]:
-    """More curves than stations, and halves that fit each other's stations better."""
+def doubts_of_counts(halves: Sequence[NamedHalf], draught_m: float) -> list[str]:
+    """More curves than stations, and halves that fit each other's stations better.
+
+    Args:
+        halves: both.
+        draught_m: to which waterlines are looked at.
+    """
     doubts = []
     for half in halves:
         name, listed, more = half.reading.half, len(half.inner_first), half.reading.unlisted
@@ -63,7 +69,7 @@ def doubts_of_counts(halves: Sequence[NamedHalf]) -> list[str]:
             missing = "one station is" if more == 1 else f"{more} stations are"
             doubts.append(
                 f"{name} half: {seen} curves seen but {listed} stations listed; {missing} missing from "
-                f"{name}_stations_m"
+                f"{name}_stations_m{where_missing(half, draught_m)}"
             )
     (a, b), (listed_a, listed_b) = (len(h.reading.curves) for h in halves), (len(h.inner_first) for h in halves)
     if abs(a - listed_b) + abs(b - listed_a) < abs(a - listed_a) + abs(b - listed_b):
