@@ -14,14 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.body_plan import Half, Station, TracedCurve
-from hullform.picture.naming.fair_lines import beside_fair_lines
+from hullform.picture.naming.fair_lines import beside_fair_lines, unfairness
 from hullform.ship import Particulars, Water
 
 Array = NDArray[np.float64]
 Names = Mapping[Half, Sequence[Sequence[float]]]  # of each curve of a half, from the centre line outwards
 
 LEVELS = (0.1, 0.25, 0.4, 0.55, 0.7, 0.85, 1.0)  # of the draught: the waterlines
-LARGEST_UNFAIRNESS = 0.08  # of B/2: a knuckle counts as no more
 MUCH_FAIRER = 0.75  # right readings get no fairer than 0.82 by another naming, wrong ones fall to 0.3 to 0.7
 LEAST_GAIN = 0.001  # of B/2, mean: less is the noise of tracing
 BETWEEN = (0.3, 0.5, 0.7)  # of a spacing: where a station that is not listed may lie
@@ -131,9 +130,7 @@ def _unfairness(names: Names, curves: Mapping[Half, Array]) -> float:
     y = y[first]
     if len(x) < 2 * FEWEST_CURVES:
         return 0.0
-    beside = beside_fair_lines(x, y)
-    known = np.isfinite(beside)
-    return float(np.minimum(beside[known], LARGEST_UNFAIRNESS).mean()) if known.any() else 0.0
+    return unfairness(beside_fair_lines(x, y))
 
 
 def half_breadths(half_breadth: Array, height: Array, levels: Array) -> Array:

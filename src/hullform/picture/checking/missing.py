@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from hullform.picture.checking.crosschecks import LARGEST_UNFAIRNESS, LEAST_GAIN, LEVELS, MUCH_FAIRER, half_breadths
-from hullform.picture.naming.fair_lines import beside_fair_lines
+from hullform.picture.checking.crosschecks import LEAST_GAIN, LEVELS, MUCH_FAIRER, half_breadths
+from hullform.picture.naming.fair_lines import beside_fair_lines, unfairness
 from hullform.picture.naming.named_half import NamedHalf
 
 Array = NDArray[np.float64]
@@ -31,9 +31,7 @@ def where_missing(half: NamedHalf, draught_m: float) -> str:
     unfair = []
     for k in range(len(listed) - 1):
         x = np.insert(np.array(listed), k + 1, listed[k] + BETWEEN * (listed[k + 1] - listed[k]))
-        beside = beside_fair_lines(x, y)
-        known = np.isfinite(beside)
-        unfair.append(float(np.minimum(beside[known], LARGEST_UNFAIRNESS).mean()) if known.any() else 0.0)
+        unfair.append(unfairness(beside_fair_lines(x, y)))
     fairest = min(unfair)
     places = [k for k, value in enumerate(unfair) if value < max(fairest / MUCH_FAIRER, fairest + LEAST_GAIN)]
     if len(places) == len(unfair):

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from hullform.picture.naming.fair_lines import beside_fair_lines
+from hullform.picture.naming.fair_lines import LARGEST_UNFAIRNESS, beside_fair_lines, unfairness
 from hullform.picture.naming.marks import APART, PlacedMark
 
 Array = NDArray[np.float64]
@@ -24,7 +24,6 @@ Array = NDArray[np.float64]
 TOUCHING = 1.5  # of a line's thickness between the axes: ink without paper between
 APART_BESIDE = 0.04  # of B/2: parts that lie nearer to each other all along may change places at little loss
 LEVELS = 12  # between the lowest point of the parts and the touch
-LARGEST_UNFAIRNESS = 0.08  # of B/2: a knuckle in the waterlines, no worse than this
 MUCH_FAIRER = 0.75  # of the unfairness
 LEAST_GAIN = 0.002  # of B/2, mean: less is the noise of tracing
 FEWEST_STATIONS = 5
@@ -71,12 +70,12 @@ def find_forks(curves: Sequence[Array], line_px: float, half_breadth_px: float) 
     apart = APART_BESIDE * half_breadth_px
     forks = []
     for first, second in combinations(range(len(curves)), 2):
-        beside, nearest = trees[second].query(curves[first])
-        back, _ = trees[first].query(curves[second])
+        beside, nearest = (np.asarray(found) for found in trees[second].query(curves[first]))
+        back = np.asarray(trees[first].query(curves[second])[0])
         touching = np.concatenate([[False], beside < TOUCHING * line_px, [False]]).astype(np.int8)
         starts, stops = np.flatnonzero(np.diff(touching) == 1), np.flatnonzero(np.diff(touching) == -1)
         for start, stop in zip(starts, stops, strict=True):
-            middle = start + int(np.argmin(beside[start:stop]))
+            middle = int(start + np.argmin(beside[start:stop]))
             other = int(nearest[middle])
             parts = (beside[:middle], beside[middle:], back[:other], back[other:])
             if not all(part.size and part.max() > apart for part in parts):
@@ -179,13 +178,13 @@ def _worth(
     levels = low + (fork.place[1] - low) * (np.arange(LEVELS) + 0.5) / LEVELS
     places = [order.index(fork.first), order.index(fork.second)]
     around = slice(max(0, min(places) - NEIGHBOURS - 1), max(places) + NEIGHBOURS)
-    own, both = {}, dict(zip((fork.first, fork.second), _exchange(curves, fork), strict=True))
+    own: dict[int, Array] = {}
+    both = dict(zip((fork.first, fork.second), _exchange(curves, fork), strict=True))
     total = []
     for changed in (both, own):
         y = np.array([_widest(changed.get(number, curves[number]), levels) for number in order]) / size
         beside = beside_fair_lines(x, y)[around] if len(x) >= FEWEST_STATIONS else np.zeros(0)
-        known = np.isfinite(beside)
-        total.append(float(np.minimum(beside[known], LARGEST_UNFAIRNESS).mean()) if known.any() else 0.0)
+        total.append(unfairness(beside))
         for number, mark in marks:
             if number in both:
                 there, elsewhere = (_distance(changed.get(n, curves[n]), mark) for n in (number, *({*both} - {number})))

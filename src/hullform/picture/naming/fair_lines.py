@@ -7,6 +7,14 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
+LARGEST_UNFAIRNESS = 0.08  # of B/2: a knuckle counts as no more
+
+
+def unfairness(beside: Array) -> float:
+    """Mean distance beside fair lines, in parts of B/2; 0 where none is known."""
+    known = np.isfinite(beside)
+    return float(np.minimum(beside[known], LARGEST_UNFAIRNESS).mean()) if known.any() else 0.0
+
 
 def beside_fair_lines(x: Array, y: Array) -> Array:
     """(stations - 2, ...) distance of each station but the first and last from lines through its neighbours.
