@@ -19,6 +19,7 @@ from time import perf_counter
 import numpy as np
 import scipy
 from benchmark_peers import Run, installed, scikit_fem
+from benchmark_water import LENGTH_OVER_BREADTH, water_table
 from numpy.typing import NDArray
 from scipy.linalg import lapack
 
@@ -280,6 +281,14 @@ def page() -> str:
             "table speak of convergence alone.",
             "",
             table(ship, peers),
+            "",
+            "## Added mass",
+            "",
+            "Of 14 motions (heave, pitch, the uniform beam's first 12 modes, sections turning) of a half-submerged "
+            f"spheroid, L / B = {LENGTH_OVER_BREADTH:g}, against its exact series. The sections of strips do not turn. "
+            "Capytaine (extra `wet`) has a row where it is installed.",
+            "",
+            water_table(),
             "",
             "## Ratios",
             "",

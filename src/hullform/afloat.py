@@ -152,9 +152,8 @@ def _afloat(
     except HullError as error:
         keys = "" if given is None else ", mean of draught_aft_m and draught_fore_m"
         raise HullError(f"{ship.path}: condition '{condition.name}'{keys}: {error}") from error
-    trim = checks.check_trim(girder.centre_of_gravity, floating)
-    found = [checks.check_floating(mass, capacity, depth), trim]
+    found = [checks.check_floating(mass, capacity, depth)]
     if held_against is not None:
         found.insert(0, checks.check_displacement(mass, held_against))
-    rest = at_rest(hull, items, density, even_keel, trim, given)
+    rest = at_rest(hull, items, density, even_keel, given)
     return ConditionAfloat(condition, items, girder, floating, rest, (*found, *rest.checks))

@@ -48,7 +48,6 @@ def at_rest(
     items: Sequence[Distribution],
     density_kg_m3: float,
     even_keel_draught_m: float,
-    estimated_trim: Check,
     given: Waterline | None,
 ) -> AtRest:
     """Lay a loaded hull at rest.
@@ -58,7 +57,6 @@ def at_rest(
         items: all her weights.
         density_kg_m3: of the water.
         even_keel_draught_m: where she lies without trim.
-        estimated_trim: the check of the trim on even keel, which puts her there too.
         given: the waterline of given draughts, if any.
 
     Raises:
@@ -73,15 +71,14 @@ def at_rest(
     except HullError as error:
         reason = str(error)
     length, depth = hull.length_between_perpendiculars_m, hull.depth_amidships_m
-    held: list[Check] = []
+    level = hull.hydrostatics(even_keel_draught_m, density_kg_m3)
+    lever = level.lcb_x_m - centre
+    # BM_L stands for GM_L, some per cent more: an estimate, for want of a position that carries her
+    trim_m = lever * length / level.bm_longitudinal_m if found is None else found.waterline.trim_m
+    held = [rest_checks.check_trim(lever, trim_m, length)]
     if found is not None:
-        trim = rest_checks.check_equilibrium_trim(found.waterline.trim_m, length)
-        freeboard = rest_checks.check_freeboard(found.least_freeboard_m, depth)
-        held.append(freeboard)
-        if estimated_trim.ok and not trim.ok:
-            held.append(trim)
-        failed = [check for check in (estimated_trim if trim.ok else trim, freeboard) if not check.ok]
-        reason = "; ".join(f"{check.title}: {check.figures}" for check in failed)
+        held.append(rest_checks.check_freeboard(found.least_freeboard_m, depth))
+        reason = "; ".join(f"{check.title}: {check.figures}" for check in held if not check.ok)
     adopted: Adopted = "even keel" if reason else "equilibrium"
     if given is not None:
         adopted, reason = "given draughts", "ship.toml gives the draughts"

@@ -5,6 +5,7 @@ Nothing here bends a result: a check that fails is shown in red, and the run end
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -21,13 +22,6 @@ BLOCK_COEFFICIENT_LIMIT_PERCENT = 1.0
 LCB_LIMIT_PERCENT_LPP = 0.5
 # The mesh's facets lie inside curved sections: that costs some 1e-4 of the volume.
 MESH_LIMIT_PERCENT = 0.1
-# Trim beyond which 'on even keel' is no description of the ship (by the stern, by the bow).
-TRIM_BY_STERN_LIMIT_PERCENT_LPP = 1.5
-TRIM_BY_BOW_LIMIT_PERCENT_LPP = 0.5
-REMEDY_OF_TRIM = (
-    "spread the weights so that LCG meets LCB, or add ballast; check aft_side, where the picture of a body plan may "
-    "have been taken the wrong way round"
-)
 # A shell of the given thickness stands for stiffeners, decks and bottom too: two to four times is usual.
 THICKNESS_FACTOR_LIMITS = (0.5, 6.0)
 # Where the members are given too, the model should come near: what is left is stiffeners, strakes and rounding.
@@ -40,25 +34,34 @@ HATCH_LIMITS_PERCENT_B = (50.0, 100.0)
 
 @dataclass(frozen=True)
 class Check:
-    """One check: a value held against its limit.
+    """One check: a value held between its limits.
 
     Attributes:
         id: a short name that programs may rely on.
         title: what is compared, in words.
         value: the figure found.
-        limit: the figure that it must not pass: the nearer one, where there are two.
-        unit: of both.
-        ok: whether it holds.
-        remedy: what to look at where it does not.
+        limits: the least and the greatest that it may be, one of them infinite where there is only the other.
+        unit: of all three.
+        remedy: what to look at where it does not hold.
     """
 
     id: str
     title: str
     value: float
-    limit: float
+    limits: tuple[float, float]
     unit: str
-    ok: bool
     remedy: str
+
+    @property
+    def ok(self) -> bool:
+        """Whether it holds."""
+        low, high = self.limits
+        return low <= self.value <= high
+
+    @property
+    def limit(self) -> float:
+        """The nearer limit: the one that is passed, if any is."""
+        return min(self.limits, key=lambda limit: abs(self.value - limit))
 
     @property
     def doubt(self) -> str:
@@ -67,23 +70,26 @@ class Check:
 
     @property
     def figures(self) -> str:
-        """The value and its limit."""
-        unit = f" {self.unit}" if self.unit else ""
-        return f"{significant(self.value)}{unit}, limit {short(self.limit)}{unit}"
+        """The value with the limit that it passes, or with the limits that it keeps."""
+        return f"{significant(self.value)}{self._unit}, {self.bounds}"
 
+    @property
+    def bounds(self) -> str:
+        """The limit that the value passes, or the limits that it keeps."""
+        low, high = self.limits
+        if not (self.ok and math.isfinite(low) and math.isfinite(high)):
+            return f"limit {short(self.limit)}{self._unit}"
+        between = f"limit ±{short(high)}" if low == -high else f"limits {short(low)} and {short(high)}"
+        return between + self._unit
 
-def within(
-    id: str, title: str, value: float, limits: tuple[float, float], unit: str, remedy: str, usual: float
-) -> Check:
-    """A value between two limits; the one on its side of the usual figure is shown."""
-    low, high = limits
-    limit = low if value < usual else high
-    return Check(id, title, value, limit, unit, low <= value <= high, remedy)
+    @property
+    def _unit(self) -> str:
+        return f" {self.unit}" if self.unit else ""
 
 
 def deviation(id: str, title: str, value: float, limit: float, unit: str, remedy: str) -> Check:
     """A value that must not be further from nought than its limit."""
-    return within(id, title, value, (-limit, limit), unit, remedy, usual=0.0)
+    return Check(id, title, value, (-limit, limit), unit, remedy)
 
 
 def checks_of_the_hull(particulars: Particulars, at_draught: Hydrostatics) -> tuple[Check, ...]:
@@ -143,7 +149,7 @@ def check_thickness(factor: float, given: StructureInput) -> Check:
     """The equivalent-thickness factor: what the given midship second moment makes of the section as modelled."""
     plain = given.is_plain_shell
     section = f"the bare {1000 * given.shell_thickness_m:g} mm shell" if plain else "the section as modelled"
-    return within(
+    return Check(
         "equivalent-thickness",
         f"given midship second moment over that of {section}",
         factor,
@@ -152,7 +158,6 @@ def check_thickness(factor: float, given: StructureInput) -> Check:
         "check midship_second_moment_m4 (in m4) and shell_thickness_m (in m)"
         if plain
         else "check midship_second_moment_m4 (in m4), the plates' thicknesses (in m) and stiffener_share",
-        usual=1.0,
     )
 
 
@@ -160,7 +165,7 @@ def check_hatches(particulars: Particulars, given: StructureInput, midships_m: f
     """Whether a container ship is open amidships; None for ships of other types."""
     if particulars.type != "container":
         return None
-    return within(
+    return Check(
         "hatch-openings",
         "breadth of a container ship's hatch openings amidships over her own",
         100 * given.opening_breadth_m(midships_m) / particulars.breadth_m,
@@ -168,13 +173,12 @@ def check_hatches(particulars: Particulars, given: StructureInput, midships_m: f
         "%",
         "a closed box stands badly for an open ship: give [[structure.hatches]], with the double side and the thick "
         "strakes at the deck that go with them",
-        usual=sum(HATCH_LIMITS_PERCENT_B) / 2,
     )
 
 
 def check_light_ship(beyond_steel_t: float, expected: watson.Estimate) -> Check:
     """Light ship less steel against Watson's estimate of machinery and outfit: within a factor of two."""
-    return within(
+    return Check(
         "light-ship",
         f"light ship less steel, expected near {significant(expected.weight_t)} t of machinery and outfit (Watson)",
         beyond_steel_t,
@@ -182,20 +186,17 @@ def check_light_ship(beyond_steel_t: float, expected: watson.Estimate) -> Check:
         "t",
         "the given steel weight may hold the outfit, spread by girth instead of where it lies: "
         "check steel_weight_t, semi_concentrated_weight_t and [[weights.items]]",
-        usual=expected.weight_t,
     )
 
 
 def check_bare_light_ship(beyond_steel_t: float, steel_t: float) -> Check:
     """Whether a light ship, of a type for which there is no estimate, has anything but steel in it."""
-    least = LEAST_BEYOND_STEEL * steel_t
     return Check(
         "bare-light-ship",
         "light ship less steel, of a type for which no estimate of machinery and outfit is at hand",
         beyond_steel_t,
-        least,
+        (LEAST_BEYOND_STEEL * steel_t, math.inf),
         "t",
-        beyond_steel_t >= least,
         "machinery and outfit are missing in the light ship: give semi_concentrated_weight_t or [[weights.items]]",
     )
 
@@ -205,7 +206,7 @@ def check_steel_numeral(particulars: Particulars, houses: Iterable[Superstructur
     limits = watson.TYPE_FIGURES[particulars.type].numeral_range_m2
     if limits is None:
         return None
-    return within(
+    return Check(
         "steel-estimate",
         f"Watson & Gilfillan's numeral, for the estimated steel weight, against the ships of type {particulars.type} "
         "behind it",
@@ -213,7 +214,6 @@ def check_steel_numeral(particulars: Particulars, houses: Iterable[Superstructur
         limits,
         "m2",
         "the estimate is extrapolated: give steel_weight_t",
-        usual=sum(limits) / 2,
     )
 
 
@@ -231,43 +231,23 @@ def check_displacement(mass_kg: float, at_draught: Hydrostatics) -> Check:
 
 def check_floating(mass_kg: float, capacity_kg: float, depth_m: float) -> Check:
     """The mass against what the hull displaces when immersed to her depth amidships."""
-    return within(
+    return Check(
         "floats",
         f"mass of this condition over the displacement at the depth {significant(depth_m)} m",
         100 * mass_kg / capacity_kg,
-        (0.0, 100 + DISPLACEMENT_LIMIT_PERCENT),
+        (-math.inf, 100 + DISPLACEMENT_LIMIT_PERCENT),
         "%",
         "she would sink: check the weights, the depth and the scale of the body plan",
-        usual=0.0,
-    )
-
-
-def check_trim(lcg_m: float, floating: Hydrostatics) -> Check:
-    """The trim that the weights' lever to the buoyancy would cause: t = lever LPP / BM_L, by the stern positive.
-
-    A lever that trims her far is a fault of the weights: without draughts of her own she is then put on even keel.
-    BM_L stands for GM_L, some per cent more: the trim is an estimate.
-    """
-    lever = floating.lcb_x_m - lcg_m
-    return within(
-        "trim",
-        f"trim, by the stern positive, that the lever of {significant(abs(lever))} m between LCG and LCB would cause",
-        100 * lever / floating.bm_longitudinal_m,
-        (-TRIM_BY_BOW_LIMIT_PERCENT_LPP, TRIM_BY_STERN_LIMIT_PERCENT_LPP),
-        "% of LPP",
-        REMEDY_OF_TRIM,
-        usual=0.0,
     )
 
 
 def check_frequency(first_hz: float, length_m: float) -> Check:
     """The first frequency against what hulls of that length have: a wrong unit shows here."""
-    return within(
+    return Check(
         "first-frequency",
         f"first frequency against hulls of {length_m:g} m",
         first_hz,
         frequency_limits_hz(length_m),
         "Hz",
         "check the units of youngs_modulus_pa, midship_second_moment_m4 and the weights",
-        usual=sum(frequency_limits_hz(length_m)) / 20,
     )

@@ -130,29 +130,32 @@ class InService:
 
     Attributes:
         modes: the headline of the condition, of which all this is said.
+        uncertainty: (modes,) the model's own of each frequency, over it: as given in [excitation], else estimated.
         resonances: propeller and engine.
         springing: waves.
     """
 
     modes: Modes
+    uncertainty: Array
     resonances: Resonances | None
     springing: Springing | None
 
 
 def in_service(ship: Ship, modes: Modes) -> InService:
     """Hold a condition's headline modes against what shakes the ship."""
+    given = None if ship.excitation is None else ship.excitation.frequency_uncertainty
+    uncertainty = model_uncertainty(modes) if given is None else np.full(modes.angular_frequencies.shape, given)
     return InService(
         modes=modes,
-        resonances=None if ship.excitation is None else _resonances(ship, ship.excitation, modes),
+        uncertainty=uncertainty,
+        resonances=None if ship.excitation is None else _resonances(ship, ship.excitation, modes, uncertainty),
         springing=None if ship.operation is None else _springing(ship.operation, float(modes.angular_frequencies[0])),
     )
 
 
-def _resonances(ship: Ship, given: ExcitationInput, modes: Modes) -> Resonances:
+def _resonances(ship: Ship, given: ExcitationInput, modes: Modes, uncertainty: Array) -> Resonances:
     excited_by = resonance.sources(given.propeller_blades, given.orders)
     frequencies = modes.frequencies_hz
-    own = given.frequency_uncertainty
-    uncertainty = model_uncertainty(modes) if own is None else np.full(frequencies.shape, own)
     bands = resonance.frequency_bands(frequencies, uncertainty)
     hits = resonance.find_hits(frequencies, bands, excited_by, given.shaft_speed_rpm)
     speed = given.service_rpm

@@ -13,6 +13,10 @@ NotNegative = Annotated[float, Field(strict=True, ge=0, allow_inf_nan=False)]
 Share = Annotated[float, Field(strict=True, ge=0, le=1, allow_inf_nan=False)]
 # A shell is thin where its mid-line may stand for it; no ship has a mean plate of a decimetre.
 PlateThickness = Annotated[float, Field(strict=True, gt=0, le=0.1, allow_inf_nan=False)]
+# From plastics to the stiffest of metals, and from the Baltic's brackish water to the Dead Sea's: a figure beyond is in
+# another unit.
+YoungsModulus = Annotated[float, Field(strict=True, ge=1e9, le=1e12, allow_inf_nan=False)]
+WaterDensity = Annotated[float, Field(strict=True, ge=900, le=1300, allow_inf_nan=False)]
 
 SEA_WATER_KG_M3 = 1025.0
 

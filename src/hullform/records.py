@@ -28,12 +28,13 @@ class Provenance(_Table):
 
 
 class CheckRecord(_Table):
-    """A plausibility check: value against limit."""
+    """A plausibility check: a value held between its limits, null where there is none; `limit` is the nearer one."""
 
     id: str
     title: str
     value: Finite
     limit: Finite
+    limits: tuple[Finite | None, Finite | None]
     unit: str
     ok: bool
     remedy: str
@@ -161,13 +162,21 @@ class BracketRecord(_Table):
     proof: str
 
 
+class Band(_Table):
+    """What the model leaves open of each frequency: u over it, f (1 - u) and f (1 + u)."""
+
+    uncertainty: list[Finite]
+    lower_hz: Frequencies
+    upper_hz: Frequencies
+
+
 class Headline(_Table):
-    """The figures to quote, and what they are figures of. The band is null while the model's own is not known."""
+    """The figures to quote, and what they are figures of."""
 
     medium: str
     theory: str
     frequencies_hz: Frequencies
-    band: None = None
+    band: Band
 
 
 class DistortionRecord(_Table):

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import math
+
 from hullform.checks import (
     DISPLACEMENT_LIMIT_PERCENT,
     LCB_LIMIT_PERCENT_LPP,
-    REMEDY_OF_TRIM,
-    TRIM_BY_BOW_LIMIT_PERCENT_LPP,
-    TRIM_BY_STERN_LIMIT_PERCENT_LPP,
     Check,
     deviation,
-    within,
 )
+from hullform.rounding import significant
 
+# Trim beyond which her weights are more likely wrong than meant (by the stern, by the bow).
+TRIM_BY_STERN_LIMIT_PERCENT_LPP = 1.5
+TRIM_BY_BOW_LIMIT_PERCENT_LPP = 0.5
 # A deck may be under water by this share of the depth: a hull drawn to her waterline is read to no better.
 DECK_UNDER_WATER_LIMIT_PERCENT_DEPTH = 0.5
 # BM_L is near LPP: a lever of LCB_LIMIT_PERCENT_LPP trims a ship by about as much.
@@ -21,29 +23,34 @@ GIVEN_TRIM_LIMIT_PERCENT_LPP = LCB_LIMIT_PERCENT_LPP
 CLOSING_LIMIT_PERCENT = 0.01
 
 
-def check_equilibrium_trim(trim_m: float, length_m: float) -> Check:
-    """The trim that carries the weights, by the stern positive, against that beyond which she is put on even keel."""
-    return within(
-        "equilibrium-trim",
-        "trim in equilibrium, by the stern positive",
+def check_trim(lever_m: float, trim_m: float, length_m: float) -> Check:
+    """The trim of her weights, by the stern positive.
+
+    Args:
+        lever_m: from the centre of gravity forward to that of buoyancy on even keel.
+        trim_m: over the length between perpendiculars.
+        length_m: between perpendiculars.
+    """
+    side = "abaft" if lever_m > 0 else "forward of"
+    return Check(
+        "trim",
+        f"trim, by the stern positive, with LCG {significant(abs(lever_m))} m {side} LCB on even keel",
         100 * trim_m / length_m,
         (-TRIM_BY_BOW_LIMIT_PERCENT_LPP, TRIM_BY_STERN_LIMIT_PERCENT_LPP),
         "% of LPP",
-        REMEDY_OF_TRIM,
-        usual=0.0,
+        "spread the weights so that LCG meets LCB, or add ballast; check aft_side, where the picture of a body plan may "
+        "have been taken the wrong way round",
     )
 
 
 def check_freeboard(least_freeboard_m: float, depth_m: float) -> Check:
     """The least height of the deck above the waterline that carries the weights."""
-    limit = -DECK_UNDER_WATER_LIMIT_PERCENT_DEPTH / 100 * depth_m
     return Check(
         "freeboard",
         "least height of the deck above the waterline that carries the weights",
         least_freeboard_m,
-        limit,
+        (-DECK_UNDER_WATER_LIMIT_PERCENT_DEPTH / 100 * depth_m, math.inf),
         "m",
-        least_freeboard_m >= limit,
         "her deck would be under water: check where the weights lie, the depth and the body plan to the deck",
     )
 
@@ -74,12 +81,11 @@ def check_given_trim(given_m: float, trim_m: float, length_m: float) -> Check:
 
 def check_closing(residual: float) -> Check:
     """What is left of the still-water bending moment at the fore end, over the largest along her."""
-    return within(
+    return Check(
         "closing",
         "bending moment in still water left at the fore end, over the largest",
         100 * residual,
-        (0.0, CLOSING_LIMIT_PERCENT),
+        (-math.inf, CLOSING_LIMIT_PERCENT),
         "%",
         "weight and buoyancy do not balance: no waterline of a moderate trim carries these weights",
-        usual=0.0,
     )

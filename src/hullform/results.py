@@ -9,6 +9,7 @@ import datetime
 import hashlib
 import importlib.metadata
 import json
+import math
 import platform
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict
@@ -17,10 +18,12 @@ from pathlib import Path
 from hullform.checks import Check
 from hullform.files import PROGRAM
 from hullform.hull.equilibrium import FloatingPosition
+from hullform.in_service import InService
 from hullform.loading.still_water import Extremes, sampled
 from hullform.outcome import Array, ConditionRun, Run
 from hullform.record_table import Frequencies
 from hullform.records import (
+    Band,
     BracketRecord,
     CheckRecord,
     ConditionRecord,
@@ -44,6 +47,7 @@ from hullform.water_results import in_water_record
 from hullvib.bounds import Bracket
 from hullvib.mode_files import solution_record
 from hullvib.modes import Modes
+from hullvib.resonance import frequency_bands
 
 
 def results_of(run: Run) -> Results:
@@ -90,7 +94,22 @@ def _digest(path: Path) -> str:
 
 
 def _checks(checks: Iterable[Check]) -> list[CheckRecord]:
-    return [CheckRecord(**asdict(check)) for check in checks]
+    records = []
+    for check in checks:
+        low, high = (limit if math.isfinite(limit) else None for limit in check.limits)
+        records.append(
+            CheckRecord(
+                id=check.id,
+                title=check.title,
+                value=check.value,
+                limit=check.limit,
+                limits=(low, high),
+                unit=check.unit,
+                ok=check.ok,
+                remedy=check.remedy,
+            )
+        )
+    return records
 
 
 def _hull(run: Run) -> HullRecord:
@@ -212,7 +231,7 @@ def _condition(whole: Run, name: str) -> ConditionRecord:
         bracket_rad_s=_bracket(run.bracket),
         empirical_rad_s={name: found.tolist() for name, found in run.empirical.figures_rad_s.items()},
         empirical_inputs=dict(run.empirical.inputs),
-        headline=Headline(medium=modes.medium, theory=modes.theory, frequencies_hz=modes.frequencies_hz.tolist()),
+        headline=_headline(service),
         solutions=[Solution.model_validate(solution_record(found)) for found in (*run.solutions.values(), *_wet(run))],
         convergence={
             "ritz": _by_functions(run.convergence_rad_s),
@@ -222,6 +241,17 @@ def _condition(whole: Run, name: str) -> ConditionRecord:
         ships_as_they_are=ratios_record(modes, whole.ship.particulars),
         resonance=resonance_record(service),
         springing=springing_record(service),
+    )
+
+
+def _headline(service: InService) -> Headline:
+    modes = service.modes
+    lower, upper = frequency_bands(modes.frequencies_hz, service.uncertainty, keep_clear=0.0)
+    return Headline(
+        medium=modes.medium,
+        theory=modes.theory,
+        frequencies_hz=modes.frequencies_hz.tolist(),
+        band=Band(uncertainty=service.uncertainty.tolist(), lower_hz=lower.tolist(), upper_hz=upper.tolist()),
     )
 
 

@@ -49,6 +49,9 @@ def short(value: float, figures: int = FIGURES) -> str:
 def as_given(value: float) -> str:
     """A number as a person wrote it in ship.toml, digits in groups of three."""
     plain = f"{value:.10g}"
+    if "e" in plain:
+        mantissa, _, power = plain.partition("e")
+        return f"{mantissa} × 10{str(int(power)).translate(_SUPERSCRIPTS)}"
     whole, point, decimals = plain.partition(".")
     return (_grouped(whole) if len(whole) > GROUPED_POWER else whole) + point + decimals
 

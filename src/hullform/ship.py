@@ -13,7 +13,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, PrivateAttr, ValidationError, field_validator, model_validator
 
 from hullform.errors import ShipFileError
-from hullform.quantities import SEA_WATER_KG_M3, NotNegative, Number, Positive, Table
+from hullform.quantities import SEA_WATER_KG_M3, NotNegative, Number, Positive, Table, WaterDensity
 from hullform.ship_body_plan import (
     SOURCES,
     BodyPlanSource,
@@ -29,6 +29,8 @@ from hullform.ship_weights import ConditionInput, WeightsInput
 
 REVIEW_SUFFIX = ".review.json"
 UNLIKE_ANY_SHIP = 100.0  # L / B and B / D, either way: beyond it one of the two is in another unit
+# Of the water in a block of LOA B D: a mass beyond it is no overload but in another unit.
+NO_SUCH_MASS = 2.0
 
 ShipType = Literal[
     "tanker",
@@ -107,7 +109,7 @@ class HullOptions(Table):
 class Water(Table):
     """[water]: what she floats in."""
 
-    density_kg_m3: Positive = SEA_WATER_KG_M3
+    density_kg_m3: WaterDensity = SEA_WATER_KG_M3
     depth_m: Positive | None = None
 
 
@@ -170,6 +172,22 @@ class Ship(Table):
         light = () if self.weights is None else self.weights.items
         for item in itertools.chain(light, *(condition.items for condition in self.conditions)):
             item.require_within(self.particulars.length_overall_m)
+        return self
+
+    @model_validator(mode="after")
+    def _weights_are_in_tonnes(self) -> Self:
+        main = self.particulars
+        block_t = self.water.density_kg_m3 * main.length_overall_m * main.breadth_m * main.depth_m / 1e3
+        masses = {f"conditions, {condition.name}": condition.load_t for condition in self.conditions}
+        if self.weights is not None:
+            masses["weights.steel_weight_t"] = self.weights.steel_weight_t or 0.0
+            masses["weights, machinery and outfit"] = self.weights.beyond_steel_t or 0.0
+        for place, mass_t in masses.items():
+            if mass_t > NO_SUCH_MASS * block_t:
+                raise ValueError(
+                    f"{place}: {mass_t:.10g} t is {mass_t / block_t:.3g} times the water in a block of her length, "
+                    "breadth and depth; check that masses are in tonnes and [ship] in metres"
+                )
         return self
 
     @model_validator(mode="after")

@@ -39,6 +39,9 @@ def fault_line(fault: Mapping[str, Any], root: type[BaseModel]) -> str:
     message = fault["msg"].removeprefix("Value error, ")
     if kind == "value_error":
         return f"{where}: {message}"
+    if kind == "too_short":
+        least = fault["ctx"]["min_length"]
+        return f"{where} has {fault['ctx']['actual_length']} values; give {'one' if least == 1 else least} or more"
     return f"{where} = {fault['input']!r}: {message[0].lower()}{message[1:]}"
 
 

@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from hullform.quantities import NotNegative, Number, PlateThickness, Positive, Share, Span, Table
+from hullform.quantities import NotNegative, Number, PlateThickness, Positive, Share, Span, Table, YoungsModulus
 
 Part = Literal["bottom", "side", "deck", "inner-bottom", "inner-side"]
 Scantlings = Literal["gross", "net"]
@@ -96,7 +96,7 @@ class Superstructure(_Plating):
 class StructureInput(Table):
     """[structure]: one steel shell of one thickness, and the members that are given besides."""
 
-    youngs_modulus_pa: Positive = 2.06e11
+    youngs_modulus_pa: YoungsModulus = 2.06e11
     poissons_ratio: Annotated[float, Field(ge=0, lt=0.5)] = 0.3
     density_kg_m3: Positive = 7850.0
     shell_thickness_m: PlateThickness = 0.016

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from hullform.in_service import Resonances
+from hullform.in_service import HARDLY_EXCITED, Resonances
 from hullform.outcome import Run
 from hullform.rounding import short, significant
 from hullvib.model_spread import ratio_uncertainty
@@ -16,7 +16,8 @@ NOT_DRAWN = ("No drawing: her hull is a form made of these main particulars.",)
 def summary(run: Run) -> str:
     """A table of conditions with mass, even-keel draught and the first modes; a star marks those in doubt.
 
-    Frequencies are the headline, in water and with shear deflection; the last column is the same girder's, dry.
+    Frequencies are the headline, in water and with shear deflection, with what the model leaves open of them; the last
+    column is the same girder's, dry.
     """
     of_ship = run.ship.particulars
     lines = [
@@ -26,7 +27,7 @@ def summary(run: Run) -> str:
         f"Vertical bending in {_water(run)} at rest, girder with shear deflection; the last column is dry.",
         "",
         f"{'condition':<14}{'mass, t':>9}{'draught, m':>12}{'mode':>6}{'nodes':>7}"
-        f"{'Hz':>10}{'cycles/min':>12}{'rad/s':>10}{'dry, Hz':>11}",
+        f"{'Hz':>10}{'± %':>6}{'cycles/min':>12}{'rad/s':>10}{'dry, Hz':>11}",
     ]
     for name, condition in run.conditions.items():
         modes, dry = condition.modes, condition.dry_modes
@@ -36,6 +37,7 @@ def summary(run: Run) -> str:
             lines.append(
                 f"{first if mode == 0 else '':<35}{mode + 1:>6}{modes.node_counts[mode]:>7}"
                 f"{significant(modes.frequencies_hz[mode]):>10}"
+                f"{100 * run.in_service[name].uncertainty[mode]:>6.0f}"
                 f"{significant(modes.cycles_per_minute[mode]):>12}"
                 f"{significant(modes.angular_frequencies[mode]):>10}"
                 f"{significant(dry.frequencies_hz[mode]):>11}"
@@ -86,6 +88,7 @@ def _at_service_speed(found: Resonances) -> str:
         return ""
     hits = [
         f"{hit.source.name} hits mode {hit.mode}{'*' if hit.flagged else ''}, {_beside(found.margin_of(hit) or 0.0)}"
+        f"{' and hardly excites it from there' if found.participation_of(hit) < HARDLY_EXCITED else ''}"
         for hit in found.hits
         if hit.holds(speed)
     ]

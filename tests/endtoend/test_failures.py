@@ -122,8 +122,8 @@ def test_no_command_writes_over_what_it_reads(
     assert (ship.parent / output).read_bytes() == before
 
 
-def test_a_modulus_in_gigapascal_is_a_doubt(ship: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    text = ship.read_text(encoding="utf-8").replace("[structure]", "[structure]\nyoungs_modulus_pa = 206.0\n#")
+def test_a_second_moment_in_cm4_is_a_doubt(ship: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    text = ship.read_text(encoding="utf-8").replace("[structure]", "[structure]\nmidship_second_moment_m4 = 3e8\n#")
     ship.write_text(text, encoding="utf-8")
     assert main(["run", str(ship), "-o", str(tmp_path / "out")]) == 3
     said = capsys.readouterr()

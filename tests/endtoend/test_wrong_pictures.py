@@ -45,7 +45,7 @@ def message(folder: Path, name: str, picture: Picture) -> str:
         (wrong_pictures.table, "looks like a table or an empty grid: 21 by 11 long lines"),
         (
             wrong_pictures.profile,
-            r"looks like a profile or a waterlines plan: the drawing is 4\.7 times as wide as high",
+            r"waterlines plan, or breadth_m or depth_m is wrong: the drawing is 4\.7 times as wide as high",
         ),
         (wrong_pictures.waterlines_plan, "looks like a profile or a waterlines plan"),
         (wrong_pictures.photograph, "looks like a photograph"),

@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 from box_barge import BREADTH_M, LENGTH_M, box_barge
 
-from hullform import checks
 from hullform.at_rest import AtRest, at_rest
 from hullform.loading.distributions import Distribution, uniform
 
@@ -25,8 +24,7 @@ def laid(lever: float, draught: float = 4.0, given: tuple[float, float] | None =
     hull = box_barge()
     item = load(lever, draught)
     level = min(hull.depth_amidships_m, draught)
-    estimate = checks.check_trim(item.centre_m, hull.hydrostatics(level, DENSITY))
-    return at_rest(hull, [item], DENSITY, level, estimate, None if given is None else hull.waterline(*given))
+    return at_rest(hull, [item], DENSITY, level, None if given is None else hull.waterline(*given))
 
 
 def failed(found: AtRest) -> set[str]:
@@ -41,6 +39,9 @@ def test_a_moderate_trim_is_hers(lever: float) -> None:
     assert found.position is found.equilibrium
     assert not failed(found)
     assert found.position.waterline.slope == pytest.approx(SLOPE_PER_M * lever, rel=1e-3, abs=1e-12)
+    (trim,) = (check for check in found.checks if check.id == "trim")
+    assert trim.value == pytest.approx(-100 * SLOPE_PER_M * lever, rel=1e-3, abs=1e-12)
+    assert trim.limits == (-0.5, 1.5)
 
 
 # 1.5 % of LPP by the stern is a lever of 2 m, 0.5 % by the bow one of 0.67 m
@@ -48,18 +49,12 @@ def test_a_moderate_trim_is_hers(lever: float) -> None:
 def test_beyond_the_limits_she_is_level_and_still_closes(lever: float) -> None:
     found = laid(lever)
     assert found.adopted == "even keel"
-    assert "limit" in found.reason
+    assert failed(found) == {"trim"}
+    assert f"LCG {abs(lever):.2f}"[:7] in found.reason
+    assert ("abaft" if lever < 0 else "forward of") in found.reason
     assert found.position.waterline.trim_m == 0.0
     assert found.still_water.waterline.slope == pytest.approx(SLOPE_PER_M * lever, rel=1e-3)
     assert found.still_water.moment_residual < 1e-10
-
-
-def test_a_trim_beyond_the_limit_that_the_estimate_overlooks_is_told() -> None:
-    hull, item = box_barge(), load(-2.1)
-    overlooked = checks.check_trim(LENGTH_M / 2, hull.hydrostatics(4.0, DENSITY))
-    found = at_rest(hull, [item], DENSITY, 4.0, overlooked, None)
-    assert failed(found) == {"equilibrium-trim"}
-    assert found.adopted == "even keel"
 
 
 def test_a_deck_under_water_is_told() -> None:

@@ -203,7 +203,7 @@ def test_the_records_keep_what_was_found(tmp_path: Path, modes: Modes) -> None:
             "give propeller_blades",
         ),
         ("[excitation]\nshaft_speed_rpm = [40.0, 100.0]\npropeller_blade = 4", "did you mean 'propeller_blades'"),
-        ("[operation]\nspeeds_knots = []", "operation.speeds_knots"),
+        ("[operation]\nspeeds_knots = []", "operation.speeds_knots has 0 values; give one or more"),
         ("[operation]\nspeeds_knots = [14.0]\nheadings_deg = [270.0]", "operation.headings_deg.0 = 270.0"),
         ("[operation]\nspeeds_knots = [75.0]", "operation.speeds_knots.0 = 75.0"),
     ],

@@ -178,6 +178,7 @@ def test_a_dirty_mesh_is_mended_and_told(
         (lambda v: v[:, [1, 0, 2]], "", 'write forward = "+y" and up = "+z"'),
         (lambda v: 1000 * v[:, [2, 1, 0]], "", 'write unit = "mm", forward = "+z" and up = "+x"'),
         (lambda v: v * [0.5, 1, 1], "", "it is another ship, or only a part of this one"),
+        (lambda v: v * [1.02, 1, 1], "", "the mesh is 193.8 m long, the ship 190 m: correct length_overall_m"),
         (lambda v: v - [5.0, 0, 0], "", "from x = -5 to 185 m, the ship from 0 to 190 m"),
         (lambda v: v - [5.0, 0, 0], "", "origin_x_m = 5 for a mesh that begins at the aft end"),
         (lambda v: v - [0, -4.0, 0], "", "write origin_y_m = -4 for a mesh of both sides"),
@@ -193,6 +194,16 @@ def test_a_mesh_of_another_size_or_place_says_what_to_write(
         read(tmp_path, moved, keys)
     assert told in str(raised.value)
     assert str(raised.value).startswith(str(tmp_path / "hull.stl"))
+
+
+@pytest.mark.parametrize(("side", "moved"), [(1, 2.0), (1, -2.0), (-1, 2.0), (-1, -2.0)])
+def test_half_a_mesh_off_the_centre_plane_says_what_to_write(
+    tmp_path: Path, mesh: trimesh.Trimesh, side: int, moved: float
+) -> None:
+    half = trimesh.Trimesh(mesh.vertices, mesh.faces[(side * mesh.vertices[mesh.faces, 1] >= 0).all(axis=1)])
+    half.apply_translation([0, moved, 0])
+    with pytest.raises(BodyPlanError, match=f"write origin_y_m = {-moved:g} for a mesh of one side"):
+        read(tmp_path, half)
 
 
 def test_a_wide_hole_is_refused_with_its_place(tmp_path: Path, mesh: trimesh.Trimesh) -> None:

@@ -114,6 +114,13 @@ def test_a_waterline_at_the_keels_height_is_the_flat_of_bottom(tmp_path: Path) -
         assert told.curves[0].points[1, 1] == 0.0
 
 
+def test_a_millimetre_between_keel_and_waterline_is_rounding(tmp_path: Path) -> None:
+    rows = "height_m,10,95,180\n0,2,13,1\n2,5,15,3\n8.5,6,15,7.5\n17,12,15,15\n"
+    level, rounded = (read(tmp_path, f"{rows}keel_height_m,{keel},{keel},{keel}\n") for keel in ("0", "0.001"))
+    for one, other in zip(level.stations, rounded.stations, strict=True):
+        assert other.area_below(8.5) == pytest.approx(one.area_below(8.5), rel=1e-3)
+
+
 def test_what_no_waterline_shows_is_told(tmp_path: Path) -> None:
     body_plan = read(tmp_path, "height_m,10,95,180\n1,,14.5,2\n8.5,6,15,7.5\n17,12,15,15\n")
     (_, note) = body_plan.notes
@@ -121,6 +128,44 @@ def test_what_no_waterline_shows_is_told(tmp_path: Path) -> None:
     lowest = [station.curves[0].points[0].tolist() for station in body_plan.stations]
     # straight on: to the waterline that she does not reach, to the base line, and there along it
     assert lowest == [[0.0, 1.0], [0.0, 0.0], [0.0, 0.0]]
+
+
+def test_a_table_from_deck_to_keel_is_turned_round(tmp_path: Path) -> None:
+    rows = POINTS.splitlines(keepends=True)
+    upward, downward = read(tmp_path, POINTS), read(tmp_path, rows[0] + "".join(reversed(rows[1:])))
+    for one, other in zip(upward.stations, downward.stations, strict=True):
+        np.testing.assert_array_equal(one.curves[0].points, other.curves[0].points)
+
+
+def test_a_curve_that_sags_is_not_turned_round(tmp_path: Path) -> None:
+    # a transom whose flat sags below its ends
+    rows = HEADER + "10,0,9\n10,4,8\n10,9,8.9\n95,0,0\n95,15,0\n95,15,17\n180,0,0\n180,3,17\n"
+    line = read(tmp_path, rows).stations[0].curves[0].points
+    assert (line[0].tolist(), line[-1].tolist()) == ([0.0, 9.0], [9.0, 8.9])
+
+
+@pytest.mark.parametrize("swapped", [0, 2, 4])
+def test_two_points_that_changed_places_are_told(tmp_path: Path, swapped: int) -> None:
+    # on a hollow side no curve crosses itself for it
+    points = [(10.0 + 0.016 * z**2, z) for z in (1.0, 3.0, 6.0, 9.0, 12.0, 17.0)]
+    points[swapped : swapped + 2] = points[swapped + 1], points[swapped]
+    rows = "".join(f"10,{y},{z}\n" for y, z in points) + "95,0,0\n95,15,17\n180,0,0\n180,3,17\n"
+    with pytest.raises(BodyPlanError, match=r"at x = 10 m turns back at y = 1[0-4]\.\d* m, z = \d+ m; give its points"):
+        read(tmp_path, HEADER + rows)
+
+
+def test_points_out_of_order_are_told_unless_they_are_numbered(tmp_path: Path) -> None:
+    parabola = [(x, 0.15 * z * (20 - z) * x / 180, z) for x in (10, 95, 180) for z in (0, 1, 3, 6, 9, 10)]
+    shuffled = np.random.default_rng(2).permutation(len(parabola))
+    rows = [f"{parabola[i][0]},{parabola[i][1]},{parabola[i][2]}" for i in shuffled]
+    with pytest.raises(
+        BodyPlanError, match=r"at x = \d+ m (turns back|crosses itself).*; give its points in order .* named point"
+    ):
+        read(tmp_path, HEADER + "\n".join(rows))
+    numbered = [f"{row},{i}" for row, i in zip(rows, shuffled, strict=True)]
+    body_plan = read(tmp_path, HEADER.rstrip() + ",point\n" + "\n".join(numbered))
+    for station in body_plan.stations:
+        assert (np.diff(station.curves[0].height_m) > 0).all()
 
 
 def test_units_and_the_place_of_the_zero_are_obeyed(tmp_path: Path) -> None:
@@ -137,6 +182,7 @@ def test_units_and_the_place_of_the_zero_are_obeyed(tmp_path: Path) -> None:
         ("", "has 0 rows"),
         ("station_x_m,half_breadth_m\n1,2\n", "line 1: has no column height_m; it has station_x_m, half_breadth_m"),
         ("z,10,95,180\n0,0,15,0\n", "or is wide: its first cell is height_m and stations' x stand beside it"),
+        ("station_x_m,curve,half_breadth_m,height_m\n10,1.5,0,0\n", "line 2: curve = 1.5; curves are numbered 0, 1, 2"),
         (POINTS.replace("10,15,17", "10,abc,17"), "line 4, column half_breadth_m: 'abc' is no number"),
         (POINTS.replace("10,15,17", "10,nan,17"), "line 4, column half_breadth_m: 'nan' is no number"),
         (POINTS.replace("10,15,17", "10,,17"), "line 4: half_breadth_m is empty"),

@@ -17,6 +17,7 @@ from hullform.picture.pieces.turning import find_turning
 from hullform.picture.tracing.finishing import finish
 from hullform.picture.tracing.flow import find_paths
 from hullform.picture.tracing.half import HalfReading
+from hullform.picture.tracing.lower_end import lower_end
 from hullform.picture.tracing.smoothing import Trace
 
 Array = NDArray[np.float64]
@@ -91,6 +92,29 @@ def test_a_flat_on_a_waterline_is_led_to_the_centre_line() -> None:
     trace = Trace(column, part.row, ones, 1.0, 1.0, 0.0)
     y, z = finish(trace, frame(), ink, hidden(120.0), None, 280.0, 280.0)
     assert (y[0], z[0]) == pytest.approx((0.0, 120.0), abs=6)  # the bilge leaves the line unseen within its width
+
+
+def test_a_bottom_with_rise_of_floor_goes_straight_to_the_keel_in_the_ink_of_its_fan() -> None:
+    rises = (0.055, 0.065, 0.075)
+    ink = frame().sample(picture(*([(0.0, 0.0), (500.0, 500.0 * rise)] for rise in rises)))
+    y = np.arange(180.0, 300.0)
+    # as traced where it leaves the fan: bent by its neighbour, so that a parabola misses the base line
+    z = 0.055 * y + 2.0 * np.exp(-(y - 180.0) / 10)
+    found_y, found_z = lower_end(y, z, frame(), ink, float(WIDTH))
+    assert (found_y[0], found_z[0]) == (0.0, 0.0)
+    at = np.linspace(0.0, 180.0, 50)
+    assert np.abs(np.interp(at, found_y, found_z) - 0.055 * at).max() <= 2.0
+
+
+def test_a_bottom_that_turns_into_a_flat_touches_the_base_line() -> None:
+    turn = [(y, (y - 120.0) ** 2 / 400) for y in np.arange(120.0, 300.0)]
+    ink = frame().sample(picture(turn))
+    y, z = np.array([(y, z) for y, z in turn if z > 8.0]).T
+    found_y, found_z = lower_end(y, z, frame(), ink, float(WIDTH))
+    assert (found_y[0], found_z[0]) == (0.0, 0.0)
+    at = np.linspace(0.0, float(y[0]), 50)
+    # the parabola is the curve's own
+    assert np.interp(at, found_y, found_z) == pytest.approx(np.maximum(at - 120.0, 0.0) ** 2 / 400, abs=0.3)
 
 
 def test_a_flat_of_bottom_is_no_top_of_a_bulb() -> None:

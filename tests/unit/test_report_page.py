@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import math
 import re
 import sys
 from dataclasses import dataclass, replace
@@ -114,7 +115,7 @@ def test_report_and_figures_are_written(run: Run, tmp_path: Path) -> None:
 
 
 def test_stations_have_the_names_and_errors_of_their_models(run: Run, page: str) -> None:
-    assert "Each traced station is replaced by a super-ellipse" in page
+    assert "Each station is replaced by a super-ellipse" in page
     assert page.count(">super-ellipse</td>") == 10
     traced = Hull.from_body_plan(_sections(), run.ship.particulars, sections="traced")
     text = render(replace(run, hull=traced), draw_pictures(replace(run, hull=traced)), "")
@@ -127,8 +128,10 @@ def test_stations_have_the_names_and_errors_of_their_models(run: Run, page: str)
 def test_a_ship_that_does_not_float_right_has_a_banner_and_one_that_does_has_none(run: Run) -> None:
     banner = 'role="alert"'
     light = run.conditions["light-ship"]
-    sound = replace(light, checks=tuple(replace(check, ok=True) for check in light.checks))
-    sinking = replace(light, checks=(replace(light.checks[0], id="floats", ok=False, remedy="lighten her"),))
+    sound = replace(light, checks=tuple(replace(check, limits=(-math.inf, math.inf)) for check in light.checks))
+    sinking = replace(
+        light, checks=(checks.Check("floats", "mass over displacement", 120.0, (0.0, 101.0), "%", "lighten her"),)
+    )
     pictures = draw_pictures(run)
     assert banner not in render(replace(run, checks=(), conditions={"light-ship": sound}), pictures, "")
     text = render(replace(run, checks=(), conditions={"light-ship": sinking}), pictures, "")

@@ -48,7 +48,8 @@ def test_limits_lose_closing_zeros_behind_the_point_only(value: float, text: str
 
 
 @pytest.mark.parametrize(
-    ("value", "text"), [(249.98, "249.98"), (262.0, "262"), (57785.0, f"57{THIN_SPACE}785"), (1025.0, "1025")]
+    ("value", "text"),
+    [(249.98, "249.98"), (262.0, "262"), (57785.0, f"57{THIN_SPACE}785"), (1025.0, "1025"), (2.06e11, "2.06 × 10¹¹")],
 )
 def test_given_numbers_stand_as_given(value: float, text: str) -> None:
     assert as_given(value) == text

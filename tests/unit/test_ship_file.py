@@ -88,6 +88,19 @@ def test_the_aft_perpendicular_is_at_the_aft_end_where_the_lengths_agree(tmp_pat
         ("deadweight_t = 1000.0", "deadweight_t = -1.0", "conditions.0.deadweight_t = -1.0"),
         ('name = "loaded"', 'name = "Fully Loaded"', "conditions.0.name = 'Fully Loaded'"),
         ("[weights]", "[weights]\nsteel_weight_t = -5.0", "weights.steel_weight_t = -5.0"),
+        (
+            "[structure]",
+            "[structure]\nyoungs_modulus_pa = 206e3",
+            "youngs_modulus_pa = 206000.0: input should be greater",
+        ),
+        (
+            "[weights]",
+            "[water]\ndensity_kg_m3 = 1.025\n[weights]",
+            "water.density_kg_m3 = 1.025: input should be greater",
+        ),
+        # 110 x 16 x 10 m of sea water are 18 040 t
+        ("[weights]", "[weights]\nsteel_weight_t = 3608e3", "weights.steel_weight_t: 3608000 t is 200 times the water"),
+        ("deadweight_t = 1000.0", "deadweight_t = 1e6", "conditions, loaded: 1000000 t is 55.4 times the water"),
         ("[weights]", "[weights]\nitems = [{name = 'house', mass_t = 9.0, form = 'uniform'}]", "unknown key; did you"),
         ("[weights]", "[weights]\nitems = [{name = 'house', mass_t = 0.0}]", "weights.items.0.mass_t = 0.0"),
         (

@@ -38,7 +38,6 @@ def require_in_place(surface: Surface, source: MeshSource, main: Particulars) ->
     """
     (x0, y0, z0), (x1, y1, z1) = ((float(v) for v in row) for row in surface.bounds)
     length, breadth, depth = main.length_overall_m, main.breadth_m, main.depth_m
-    whole = y1 - y0 if y0 < -_OFF_CENTRE * breadth and y1 > _OFF_CENTRE * breadth else 2 * max(abs(y0), abs(y1))
     if abs((x1 - x0) / length - 1) > _OTHER_LENGTH or not _near(y1 - y0, breadth):
         raise BodyPlanError(
             f"{source.file}: as [body_plan] has it the mesh is {x1 - x0:.4g} m long, {y1 - y0:.4g} m broad and "
@@ -50,18 +49,23 @@ def require_in_place(surface: Surface, source: MeshSource, main: Particulars) ->
             f"{source.file}: as [body_plan] has it the mesh is {y1 - y0:.4g} m broad and {z1 - z0:.4g} m high, the "
             f"ship {breadth:g} by {depth:g} m; {remedy}"
         )
+    if x1 - x0 > (1 + 2 * _BEYOND) * length:
+        raise BodyPlanError(
+            f"{source.file}: the mesh is {x1 - x0:.4g} m long, the ship {length:g} m: correct length_overall_m, or "
+            "leave rudders and fenders out of the mesh"
+        )
     if x0 < -_BEYOND * length or x1 > (1 + _BEYOND) * length:
         raise BodyPlanError(
             f"{source.file}: the mesh lies from x = {x0:.4g} to {x1:.4g} m, the ship from 0 to {length:g} m; x runs "
             "from the aft end of the length overall: write the place of the mesh's origin there, origin_x_m = "
             f"{source.origin_x_m - x0:.4g} for a mesh that begins at the aft end"
         )
-    if abs(whole - breadth) > _OTHER_BREADTH * breadth or (
-        y0 < -_OFF_CENTRE * breadth and y1 > _OFF_CENTRE * breadth and abs(y0 + y1) > 2 * _OFF_CENTRE * breadth
-    ):
+    one_side = y1 - y0 < (1 + _OTHER_BREADTH) * breadth / 2
+    plane = min(y0, y1, key=abs) if one_side else (y0 + y1) / 2
+    if abs(plane) > _OFF_CENTRE * breadth:
         raise BodyPlanError(
-            f"{source.file}: the mesh lies from y = {y0:.4g} to {y1:.4g} m, the ship {breadth / 2:g} m to either "
-            f"side; write origin_y_m = {source.origin_y_m - (y0 + y1) / 2:.4g} for a mesh of both sides"
+            f"{source.file}: the mesh lies from y = {y0:.4g} to {y1:.4g} m, off the centre plane; write origin_y_m = "
+            f"{source.origin_y_m - plane:.4g} for a mesh of {'one side' if one_side else 'both sides'}"
         )
     if not -_BELOW_BASE * depth <= z0 <= _ABOVE_BASE * depth:
         raise BodyPlanError(
@@ -69,7 +73,7 @@ def require_in_place(surface: Surface, source: MeshSource, main: Particulars) ->
             f"height of the mesh's origin above it, origin_z_m = {source.origin_z_m - z0:.4g} for a keel on the base "
             f'line; where she lies on her back, write up = "{_turned(source.up)}" first'
         )
-    return _doubts(source, (x0, x1), whole, z1, main)
+    return _doubts(source, (x0, x1), (2 if one_side else 1) * (y1 - y0), z1, main)
 
 
 def _near(breadth_m: float, given_m: float) -> bool:

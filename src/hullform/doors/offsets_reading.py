@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hullform.body_plan import BodyPlan, Half, Station, TracedCurve
 from hullform.doors.csv_rows import CsvTable, read_csv
@@ -16,11 +17,17 @@ from hullform.errors import BodyPlanError
 from hullform.ship import Particulars, Ship
 from hullform.ship_body_plan import METRES_PER, OffsetsSource
 
+Array = NDArray[np.float64]
+
 REQUIRED = ("station_x_m", "half_breadth_m", "height_m")
 # Of B/2, by which moulded offsets may lie beyond it without a word: plating, or a pen.
 _BROADER = 0.02
 # Of the ship's size: a table that is larger or smaller by more is in another unit.
 _OTHER_UNIT = 3.0
+# Of a section's size: what is smaller may be the rounding of its points.
+_ROUNDING = 1e-3
+# Cosine of a turn of 155 degrees: the sharpest knuckle of a chine or a bulwark is far from it.
+_BACK = -0.9
 
 
 class _Point(NamedTuple):
@@ -75,7 +82,7 @@ def _half_of(x_m: float, midships_m: float) -> Half:
 def _curves_of_points(
     table: CsvTable, source: OffsetsSource, scale: float, midships_m: float
 ) -> dict[tuple[float, Half], tuple[TracedCurve, ...]]:
-    """The long form: the points of every curve of every station, keel to deck."""
+    """The long form: the points of every curve of every station, keel to deck or deck to keel."""
     header = [name.lower() for name in table.rows[0][1]]
     missing = [name for name in REQUIRED if name not in header]
     if missing:
@@ -106,8 +113,11 @@ def _curves_of_points(
         half = row.get("half") or _half_of(place, midships_m)
         if half not in ("aft", "fore"):
             raise BodyPlanError(f"{table.path}, line {line}: half = '{half}'; it is aft or fore")
+        number = value("curve", 0.0)
+        if number != round(number):
+            raise BodyPlanError(f"{table.path}, line {line}: curve = {number:g}; curves are numbered 0, 1, 2")
         curves = points.setdefault((place, "aft" if half == "aft" else "fore"), {})
-        curves.setdefault(int(value("curve", 0.0)), []).append(
+        curves.setdefault(int(number), []).append(
             _Point(y * scale, z * scale + source.origin_z_m, value("confidence", 1.0), value("point", float(order)))
         )
     return {
@@ -123,8 +133,30 @@ def _curve(path: Path, x_m: float, points: Sequence[_Point]) -> TracedCurve:
     for point in ordered:
         if not 0 <= point.confidence <= 1:
             raise BodyPlanError(f"{path}: confidence = {point.confidence:g} at x = {x_m:g} m; it is from 0 to 1")
-    line = enough_points(np.array([[point.half_breadth_m, point.height_m] for point in ordered]))
+    line = np.array([[point.half_breadth_m, point.height_m] for point in ordered])
+    if float(np.trapezoid(line[:, 0], line[:, 1])) < 0:
+        line = line[::-1]  # from deck to keel
+    _require_order(path, x_m, line)
+    line = enough_points(line)
     return TracedCurve(line[:, 0], line[:, 1], min(point.confidence for point in ordered))
+
+
+def _require_order(path: Path, x_m: float, line: Array) -> None:
+    """No section crosses itself or turns back the way it came, but for what rounding does: points out of order do."""
+    import shapely
+
+    drawn = shapely.LineString(line)
+    rounded = drawn.simplify(_ROUNDING * float(np.ptp(line, axis=0).max()), preserve_topology=False)
+    step = np.diff(np.asarray(rounded.coords), axis=0)
+    ways = step / np.hypot(*step.T)[:, None]
+    back = np.flatnonzero((ways[1:] * ways[:-1]).sum(axis=1) < _BACK)
+    if back.size or not (drawn.is_simple or rounded.is_simple):
+        y, z = rounded.coords[int(back[0]) + 1] if back.size else line[0]
+        what = f"turns back at y = {y:g} m, z = {z:g} m" if back.size else "crosses itself"
+        raise BodyPlanError(
+            f"{path}: the curve of the station at x = {x_m:g} m {what}; give its points in order from keel to deck, or "
+            "number them in a column named point"
+        )
 
 
 def _require_within(path: Path, source: OffsetsSource, places_m: Sequence[float], main: Particulars) -> None:

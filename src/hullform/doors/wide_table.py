@@ -18,8 +18,8 @@ FORMS = (
     "A table of offsets has one row a point (station_x_m, half_breadth_m, height_m), or is wide: its first cell is "
     "height_m and stations' x stand beside it in the header, or it is station_x_m and heights stand there"
 )
-# Of the whole height: a waterline that is nearer to the base line, or to a keel, lies on it.
-_ON_BASE = 1e-6
+# Of the whole height, which tables round to the millimetre: a waterline so near the base line, or a keel, lies on it.
+_ON_BASE = 1e-4
 
 # Points that the curve gets from one waterline to the next.
 _BETWEEN = 6
@@ -153,10 +153,11 @@ def _curve(
     known = order[np.isfinite(breadths[order])]
     z, y = heights[known], breadths[known]
     keel = ends.get("keel_height_m", math.nan)
+    apart = _ON_BASE * float(np.ptp(heights))
     if math.isfinite(keel):
         # a waterline at the keel's height has the flat of bottom
-        apart = _ON_BASE * float(np.ptp(heights))
         above, flat = z > keel + apart, y[(np.abs(z - keel) <= apart) & (y > 0)]
+        _require_nothing(table, x, z[(z < keel - apart) & (y > 0)], "below keel_height_m", keel)
         z, y = np.concatenate([[keel], np.full(flat.size, keel), z[above]]), np.concatenate([[0.0], flat, y[above]])
     elif (y > 0).any():
         # of noughts below the keel only the last is hers
@@ -164,14 +165,15 @@ def _curve(
         z, y = z[first:], y[first:]
     deck = ends.get("deck_height_m", math.nan), ends.get("deck_half_breadth_m", math.nan)
     if math.isfinite(deck[0]) and math.isfinite(deck[1]):
-        below = z < deck[0]
+        below = z < deck[0] - apart
+        _require_nothing(table, x, z[z > deck[0] + apart], "above deck_height_m", deck[0])
         z, y = np.append(z[below], deck[0]), np.append(y[below], deck[1])
     if z.size < 2:
         raise BodyPlanError(f"{table.path}: the station at {x:g} has {z.size} half-breadths; give two or more")
     if y[0] == 0:
         return _smooth(y, z, metres, origin_z_m), True
     base = -origin_z_m / metres
-    if z[0] - base <= _ON_BASE * float(np.ptp(heights)):
+    if z[0] - base <= apart:
         # a flat of bottom
         return _smooth(np.append(0.0, y), np.append(z[0], z), metres, origin_z_m), True
     # straight on, but not below a waterline that she does not reach
@@ -183,6 +185,14 @@ def _curve(
     else:
         z, y = np.append(z[0] - y[0] / lean, z), np.append(0.0, y)
     return _smooth(y, z, metres, origin_z_m), False
+
+
+def _require_nothing(table: CsvTable, x: float, heights: np.ndarray, where: str, end: float) -> None:
+    if heights.size:
+        raise BodyPlanError(
+            f"{table.path}: the station at {x:g} has a half-breadth at the height {heights[0]:g}, {where} = {end:g}; "
+            "correct one of the two, or leave the cell empty"
+        )
 
 
 def _smooth(y: np.ndarray, z: np.ndarray, metres: float, origin_z_m: float) -> TracedCurve:

@@ -19,6 +19,7 @@ FIT_ALPHA = 0.38
 LEFT_MARGIN = 0.62
 RIGHT_MARGIN = 0.1
 BODY_PLAN_FOOT = 0.75
+_LEGEND_COLUMNS, _LEGEND_ROW = 4, 0.24
 HALF_COLOURS: dict[Half, str] = {"aft": WARM, "fore": ACCENT}
 
 
@@ -72,15 +73,17 @@ def body_plan_figure(run: Run) -> Picture:
 
 
 def area_figure(run: Run) -> Picture:
-    """Sectional areas below the draught of each condition, and at the design draught those of the traced stations."""
+    """Sectional areas below the draught of each condition, and at the design draught those of the stations."""
     hull = run.hull
-    figure = Figure(figsize=(PAGE_WIDTH, 3.0))
+    rows = -(-(len(run.conditions) + 2) // _LEGEND_COLUMNS)
+    height = 2.6 + _LEGEND_ROW * rows
+    figure = Figure(figsize=(PAGE_WIDTH, height))
     axes = figure.subplots()
-    figure.subplots_adjust(left=0.075, right=0.975, top=0.9, bottom=0.16)
+    figure.subplots_adjust(left=0.075, right=0.975, top=1 - _LEGEND_ROW * rows / height, bottom=0.48 / height)
     x = hull.x_m
     for number, condition in enumerate(run.conditions.values()):
         draught = condition.floating.draught_m
-        label = f"{condition.condition.title}, {significant(draught)} m"
+        label = f"{condition.condition.name}, {significant(draught)} m"
         axes.plot(x, hull.sectional_areas(draught), color=SERIES[number % len(SERIES)], linewidth=1.5, label=label)
     design = hull.sectional_areas(run.at_draught.draught_m)
     axes.fill_between(x, design, color=QUIET, alpha=0.14, linewidth=0)
@@ -88,13 +91,17 @@ def area_figure(run: Run) -> Picture:
         x, design, color=QUIET, linewidth=1.0, linestyle=":", label=f"design draught, {run.at_draught.draught_m:g} m"
     )
     traced = [(station.x_m, station.area_below(run.at_draught.draught_m)) for station in run.body_plan.stations]
-    axes.plot(*np.transpose(traced), "o", color="black", markersize=3, fillstyle="none", label="traced, design draught")
+    axes.plot(
+        *np.transpose(traced), "o", color="black", markersize=3, fillstyle="none", label="stations, design draught"
+    )
     finish(axes, "x from the aft end, m", "sectional area, m²", hull.length_overall_m)
     axes.set_ylim(0.0, None)
-    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4, borderaxespad=0.2, columnspacing=1.4)
+    axes.legend(
+        loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=_LEGEND_COLUMNS, borderaxespad=0.2, columnspacing=1.4
+    )
     return as_svg(
         figure,
         "sectional-areas",
-        "Sectional area below the even-keel waterline of each condition; circles: the traced stations themselves.",
+        "Sectional area below the even-keel waterline of each condition; circles: the stations themselves.",
         f"Sectional area curves; the largest section at the design draught has {significant(design.max())} m².",
     )

@@ -91,7 +91,7 @@ def likeness(ink: Ink, breadth_by_depth: float) -> str | None:
     aspect = float(largest[cv2.CC_STAT_WIDTH]) / float(largest[cv2.CC_STAT_HEIGHT])
     size = f"the drawing is {aspect:.1f} times as wide as high, and this ship's B / D is {breadth_by_depth:.1f}"
     if aspect > MUCH_WIDER * breadth_by_depth:
-        return f"it looks like a profile or a waterlines plan: {size}"
+        return f"it looks like a profile or a waterlines plan, or breadth_m or depth_m is wrong: {size}"
     if aspect < MUCH_NARROWER * breadth_by_depth:
         return f"it looks like half a body plan or one that lies on its side: {size}"
     return None

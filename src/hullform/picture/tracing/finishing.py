@@ -1,34 +1,38 @@
-"""A traced curve made whole: down to the keel, the base line or the centre line; its upper end is in `upper_ends`.
-
-Near a straight line of the drawing a curve cannot be seen; there it is continued by a parabola through its last
-visible stretch, which meets the line or touches it.
-"""
+"""The ends of a traced curve: its lower end, and up to the sheer line, the deck line or the top of the side."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from hullform.picture.calibrating.line_mask import Mask
+from hullform.picture.calibrating.line_mask import VERTICAL, Mask
 from hullform.picture.image.ink import Ink
-from hullform.picture.pieces.ends import LEAST_FLAT, LEAST_TURN, Ends, begins_on_level_line, end_fit
+from hullform.picture.pieces.ends import CLOSE_TO_SIDE
 from hullform.picture.pieces.frame import DiagonalFrame
 from hullform.picture.pieces.sheer import SheerLine
+from hullform.picture.tracing.lower_end import FARTHEST, NEAR_AXIS, STRETCH, along_level_line, lower_end
 from hullform.picture.tracing.smoothing import WEIGHT_OF_SHARED, Trace
-from hullform.picture.tracing.upper_ends import FARTHEST, STRETCH, own_top, with_upper_end
 from hullform.picture.tracing.winding import closed
 
 Array = NDArray[np.float64]
-Shows = Callable[[Array, Array], NDArray[np.bool_]]
+Deck = Callable[[Array | float], Array]
 
-NEAR_AXIS = 0.06  # of B/2: an end within this of the centre line or the base line belongs on it
-NEAR_KEEL = 0.012  # of B/2: a start within this of the keel point is the keel point
-BILGE = 0.08  # of B/2: columns over which a bilge turns up from a flat
-FAINTEST_BESIDE = 0.25  # ink that a curve shows beside the centre line which hides its axis
-LARGEST_BREAK_BESIDE = 0.012  # of B/2: in that ink, where another line crosses
+NEAR_DECK = 0.09  # of B/2: a top within this of the sheer line belongs on it
+AT_DECK = 0.03  # of B/2: ink that ends so near the deck goes to the deck
+AT_SIDE = 0.965  # of B/2
+LEVEL = 0.35  # dz/ds below which a curve runs along a deck rather than up to it
+STEEP_BEFORE = 0.6  # dz/ds of a curve that has met a deck edge
+LONGEST_TAIL = 0.12  # of B/2: of a deck edge that a curve was led along
+AT_LINE = 0.012  # of B/2: a curve that ends so near the line of B/2 has met it, at whatever angle
+TAIL = 0.012  # of B/2: the stretch that shows whether a curve close to the side has begun to turn up
+BEGUN = 0.33  # dz/dy there
+STEEP_ENOUGH = 0.7  # dz/dy of a curve that is about to join the line of B/2
+OFF_SHEER_PX = 2.0  # where the sheer line is known no better, the end of a curve's own ink says where it is
+LONGEST_STROKE = 0.06  # of B/2: how far ahead of a trace its ink is followed
+COVER_PX = 14  # ahead of an end: a line of the drawing must lie there, if the curve is to go on unseen
+LARGEST_BREAK_PX = 4  # in a stroke, where a line of the drawing was taken off
 
 
 def finish(
@@ -58,15 +62,30 @@ def finish(
     y, z = frame.to_drawing(column, row)
     size = frame.half_breadth_px
     if side_top_px is not None:
-        side_top_px = own_top(y, z, size, side_top_px, side_steps_px)
-    y, z = _lower_end(y, z, size, lambda y, z: _shown(y, z, frame, ink, width_px))
-    y, z = _along_level_line(y, z, trace, hidden, size)
-    return with_upper_end(y, z, trace, frame, ink, hidden, sheer, depth_px, side_top_px)
+        side_top_px = _own_top(y, z, size, side_top_px, side_steps_px)
+    y, z = lower_end(y, z, frame, ink, width_px)
+    y, z = along_level_line(y, z, trace, hidden, size)
+    y, z = _without_level_tail(y, z, size)
+    deck_over, reaches = _deck_over(trace, frame, ink, sheer, depth_px)
+    y, z = _upper_end(y, z, size, deck_over, reaches, _covered(trace, hidden), side_top_px)
+    if side_top_px is None:
+        return y, z
+    if sheer is None and depth_px is None:
+        y, z = _along_own_ink(y, z, _end_of_ink(trace, frame, ink), size, side_top_px)
+    deck = depth_px if sheer is None else float(sheer.at(size))
+    return _up_the_side(y, z, size, min(side_top_px, np.inf if deck is None else deck))
+
+
+def _own_top(y: Array, z: Array, size: float, top: float, steps: Sequence[float]) -> float:
+    """Where a curve ends that joins the line of B/2: at the first step above the place."""
+    joined = z[y > (1 - AT_LINE) * size]
+    height = float(joined[0]) if joined.size else float(z[-1])
+    return next((step for step in steps if step > height), top)
 
 
 def finish_contour(trace: Trace, frame: DiagonalFrame) -> tuple[Array, Array]:
     """(y, z) of a contour that comes back to the centre line, in px of the drawing, from its lower end."""
-    y, z = _lower_end(*frame.to_drawing(trace.column, trace.row), frame.half_breadth_px, lambda y, _: y >= 0)
+    y, z = lower_end(*frame.to_drawing(trace.column, trace.row), frame)
     return closed(y, z, frame.half_breadth_px)
 
 
@@ -80,118 +99,155 @@ def _visible_part(trace: Trace, frame: DiagonalFrame) -> tuple[Array, Array]:
     return trace.column, trace.row
 
 
-def _continued(t: Array, n: Array, level: float, farthest: float) -> tuple[Array, Array]:
-    """Continue n(t) before its first point to n = level, by a parabola that meets the level or touches it.
-
-    Args:
-        t: positions along, increasing away from the end.
-        n: distances across.
-        level: where the curve shall end.
-        farthest: longest continuation along t.
+def _deck_over(
+    trace: Trace, frame: DiagonalFrame, ink: Ink, sheer: SheerLine | None, depth_px: float | None
+) -> tuple[Deck, bool]:
+    """Height of the deck over a half-breadth: the sheer line, held to where the curve's own ink ends near it.
 
     Returns:
-        t and n of the added points, the farthest first.
+        that height, and whether the curve's ink reaches it.
     """
-    if t[-1] - t[0] < 2.0:
-        return np.array([t[0]]), np.array([level])
-    start = t[0]
-    fit = np.polynomial.polynomial.polyfit(t - start, n - level, 2 if len(t) >= 12 else 1)
-    fit[0] = n[0] - level
-    if len(fit) == 3 and abs(fit[2]) > 1e-9:
-        discriminant = fit[1] ** 2 - 4 * fit[2] * fit[0]
-        ends = (
-            [(-fit[1] + sign * np.sqrt(discriminant)) / (2 * fit[2]) for sign in (-1, 1)]
-            if discriminant >= 0
-            else [-fit[1] / (2 * fit[2])]
-        )
-        before = [end for end in ends if end <= 0]
-        end = max(before) if before else 0.0
-    else:
-        end = -fit[0] / fit[1] if abs(fit[1]) > 1e-9 else 0.0
-    end = float(np.clip(end, -farthest, 0.0))
-    s = np.linspace(end, 0.0, max(2, int(abs(end) / 3) + 2))[:-1]
-    values = level + np.polynomial.polynomial.polyval(s, fit)
-    values[0] = level
-    return np.asarray(start + s), np.asarray(values)
+
+    def drawn(half_breadth: Array | float) -> Array:
+        if sheer is not None:
+            return sheer.at(half_breadth)
+        return np.full(np.shape(half_breadth), depth_px if depth_px is not None else np.inf)
+
+    end_y, end_z = _end_of_ink(trace, frame, ink)
+    if sheer is not None and sheer.lost_at(end_y):
+        return (lambda half_breadth: np.full(np.shape(half_breadth), end_z)), True
+    reaches = bool(float(drawn(end_y)) - end_z < AT_DECK * frame.half_breadth_px)
+    if sheer is None or abs(end_z - float(drawn(end_y))) > NEAR_DECK * frame.half_breadth_px:
+        return drawn, reaches
+    # the line rises or falls steadily between the places where it was seen alone
+    lowest, highest = sheer.range_at(end_y)
+    if highest - lowest < 2 * OFF_SHEER_PX:
+        return drawn, reaches
+    height = float(np.clip(end_z, lowest, highest))
+    return (lambda half_breadth: np.full(np.shape(half_breadth), height)), reaches
 
 
-def _shown(y: Array, z: Array, frame: DiagonalFrame, ink: Ink, width_px: float) -> NDArray[np.bool_]:
-    """Whether ink beside the centre line shows a curve whose axis lies at (y, z), hidden by that line.
+def _end_of_ink(trace: Trace, frame: DiagonalFrame, ink: Ink) -> tuple[float, float]:
+    """(y, z) in px of the drawing where the stroke that a trace follows ends."""
+    size = min(len(trace.column), 30)
+    slope = float(np.polyfit(np.arange(min(size, 12)), trace.row[-min(size, 12) :], 1)[0])
+    beyond = np.arange(1, LONGEST_STROKE * frame.half_breadth_px)
+    column = np.concatenate([trace.column[-size:], trace.column[-1] + beyond])
+    row = np.concatenate([trace.row[-size:], trace.row[-1] + slope * beyond])
+    at = np.clip(np.round(column), 0, ink.shape[1] - 1).astype(np.int64)
+    rows = np.clip(np.round(row)[:, None] + np.arange(-1, 2), 0, ink.shape[0] - 1).astype(np.int64)
+    value = ink[rows, at[:, None]].max(axis=1)
+    dark = np.flatnonzero(value >= 0.6 * float(np.median(value[:size])))
+    run = dark[: int(np.argmax(np.diff(dark, append=10_000) > LARGEST_BREAK_PX)) + 1] if dark.size else dark
+    last = int(run[-1]) if run.size else size - 1
+    y, z = frame.to_drawing(column[last], row[last])
+    return float(y), float(z)
 
-    A curve that runs into the centre line at a small angle makes it thicker on this side, less and less.
+
+def _along_own_ink(y: Array, z: Array, end: tuple[float, float], size: float, top: float) -> tuple[Array, Array]:
+    """A curve goes on to where its ink ends, where no deck edge is drawn but the side shows how high that may be.
+
+    Figures that stand on a curve hide its axis, not its ink.
+
+    Args:
+        end: [y, z] of its ink.
+        top: of the side.
     """
-    outboard = y[:, None] + np.linspace(0.0, width_px / 2, 5)
-    column, row = frame.from_drawing(outboard, np.broadcast_to(z[:, None], outboard.shape))
-    beside = cv2.remap(ink, column.astype(np.float32), row.astype(np.float32), cv2.INTER_LINEAR)
-    return np.asarray(beside.max(axis=1) > FAINTEST_BESIDE)
+    end_y, end_z = end
+    if not z[-1] < end_z < top + AT_DECK * size or end_y > (1 - AT_LINE) * size:
+        return y, z
+    height = min(end_z, top)
+    if height <= z[-1]:
+        return y, z
+    share = (height - z[-1]) / (end_z - z[-1])
+    return np.append(y, y[-1] + share * (end_y - y[-1])), np.append(z, height)
 
 
-def _seen_down_to(z: Array, shown: NDArray[np.bool_], largest_break: float) -> int:
-    """From which point on a continuation, whose last point is where the curve was seen, still shows without a break."""
-    lowest, first = z[-1], len(z)
-    for index in range(len(z) - 1, -1, -1):
-        if shown[index]:
-            lowest, first = z[index], index
-        elif lowest - z[index] > largest_break:
-            return first
-    return 0
+def _without_level_tail(y: Array, z: Array, size: float) -> tuple[Array, Array]:
+    """Cut off what runs level or down at the very end of a curve that rose before: a piece of a deck edge."""
+    step = np.maximum(np.hypot(np.diff(y), np.diff(z)), 1e-9)
+    left = np.cumsum(step[::-1])[::-1]  # of the curve, beyond each step
+    rising = np.diff(z) / step > LEVEL
+    last = int(np.flatnonzero(rising)[-1]) + 1 if rising.any() else 0
+    if last >= len(left) or left[last] > LONGEST_TAIL * size or left[0] - left[last] < LONGEST_TAIL * size:
+        return y, z
+    before = (left > left[last]) & (left < left[last] + LONGEST_TAIL * size)
+    steep = float(np.average(np.diff(z)[before] / step[before], weights=step[before]))
+    return (y[: last + 1], z[: last + 1]) if steep > STEEP_BEFORE else (y, z)
 
 
-def _lower_end(y: Array, z: Array, size: float, shows: Shows) -> tuple[Array, Array]:
-    reach = NEAR_AXIS * size
-    if z[0] < -NEAR_KEEL * size:
-        return _on_centre_below(y, z, size)
-    if min(y[0], z[0]) > reach:
+def _upper_end(
+    y: Array, z: Array, size: float, deck: Deck, reaches_deck: bool, covered: bool, side_top: float | None
+) -> tuple[Array, Array]:
+    # what runs on along the sheer line or above it is not the station
+    above = np.flatnonzero(z >= deck(y) - 1.0)
+    above = above[above > 0.5 * len(z)]
+    if above.size:
+        cut = int(above[0])
+        gap_before, gap_here = float(deck(y[cut - 1]) - z[cut - 1]), float(deck(y[cut]) - z[cut])
+        share = np.clip(gap_before / (gap_before - gap_here), 0.0, 1.0) if gap_before > gap_here else 1.0
+        end_y, end_z = y[cut - 1] + share * (y[cut] - y[cut - 1]), z[cut - 1] + share * (z[cut] - z[cut - 1])
+        end_z = float(deck(end_y)) if np.isfinite(deck(end_y)) else end_z
+        return np.append(y[:cut], end_y), np.append(z[:cut], end_z)
+    arc = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
+    part = arc >= arc[-1] - STRETCH * size
+    rise, lean = z[-1] - z[part][0], y[-1] - y[part][0]
+    at_side = not reaches_deck and covered and y[-1] > AT_SIDE * size and rise > 3 * abs(lean)
+    top = float(deck(float(y[-1])))
+    end_of_side = min(top, np.inf if side_top is None else max(side_top, z[-1]))
+    if at_side and z[-1] < end_of_side < np.inf:
+        return _into_the_side(y, z, lean / rise, size, end_of_side)
+    if not np.isfinite(top):
+        return y, z
+    if z[-1] > top:
+        first = int(np.argmax(z >= top))
+        end = float(np.interp(top, z[first - 1 : first + 1], y[first - 1 : first + 1]))
+        return np.append(y[:first], end), np.append(z[:first], top)
+    gap = top - z[-1]
+    if gap <= NEAR_DECK * size and rise > 0:
+        end = y[-1]
+        for _ in range(5):  # the deck's height depends on where the curve meets it
+            end = y[-1] + lean / rise * (float(deck(end)) - z[-1])
+        return np.append(y, end), np.append(z, float(deck(end)))
+    return y, z
+
+
+def _into_the_side(y: Array, z: Array, slope: float, size: float, top: float) -> tuple[Array, Array]:
+    """Continue a curve up to `top` by a parabola that turns into the line of B/2, and along that line."""
+    height = np.linspace(0.0, top - z[-1], max(3, int((top - z[-1]) / 3)))[1:]
+    reach, slope = max(size - y[-1], 1e-6), max(slope, 0.0)
+    turning = np.minimum(height, 2 * reach / max(slope, 1e-9))
+    across = slope * turning - (slope * turning) ** 2 / (4 * reach)
+    return np.concatenate([y, y[-1] + across]), np.concatenate([z, z[-1] + height])
+
+
+def _covered(trace: Trace, hidden: Mask) -> bool:
+    """Whether an upright line of the drawing lies where a curve ends, so that it may go on unseen."""
+    size = min(len(trace.column), 12)
+    slope = float(np.polyfit(np.arange(size), trace.row[-size:], 1)[0])
+    ahead = np.arange(0, COVER_PX)
+    column = np.clip(np.round(trace.column[-1] + ahead), 0, hidden.shape[1] - 1).astype(np.int64)
+    row = np.clip(np.round(trace.row[-1] + slope * ahead), 0, hidden.shape[0] - 1).astype(np.int64)
+    return bool((hidden[row, column] & VERTICAL > 0).mean() > 0.5)
+
+
+def _up_the_side(y: Array, z: Array, size: float, top: float) -> tuple[Array, Array]:
+    """A curve that ends rising close to the line of B/2 joins it and goes up to where that line is drawn."""
+    along = np.flatnonzero((y >= (1 - AT_LINE / 2) * size) & (z <= top))
+    if z[-1] > top and along.size and z[along[-1]] > top - NEAR_DECK * size / 2:
+        return np.append(y[: along[-1] + 1], y[along[-1]]), np.append(z[: along[-1] + 1], top)
+    if y[-1] < AT_SIDE * size or top - z[-1] <= NEAR_DECK * size:
         return y, z
     arc = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
-    part = arc <= STRETCH * size
-    if z[0] <= y[0]:
-        along, across = _continued(y[part], z[part], 0.0, FARTHEST * size)
-        inside = along > 0
-        added_y, added_z = along[inside], np.maximum(across[inside], 0.0)
-        if inside.all():  # reached the base line before the centre line: a flat of bottom
-            added_y, added_z = np.append(0.0, added_y), np.append(0.0, added_z)
-        elif not inside.any() or added_y[0] > 0:
-            height = float(np.interp(0.0, along, across)) if len(along) > 1 else 0.0
-            added_y, added_z = np.append(0.0, added_y), np.append(max(height, 0.0), added_z)
-    elif y[part][-1] - y[0] > z[part][-1] - z[0]:
-        # flatter than 45 degrees: the height follows from the half-breadth
-        fit = np.polynomial.polynomial.polyfit(y[part], z[part], 2 if part.sum() >= 12 else 1)
-        added_y = np.linspace(0.0, y[0], max(2, int(y[0] / 3) + 2))[:-1]
-        step = z[0] - float(np.polynomial.polynomial.polyval(y[0], fit))
-        added_z = np.maximum(np.polynomial.polynomial.polyval(added_y, fit) + step, 0.0)
-    else:
-        along, across = _continued(z[part], y[part], 0.0, FARTHEST * size)
-        first = _seen_down_to(along, shows(across, along), LARGEST_BREAK_BESIDE * size)
-        along, across = along[first:], across[first:]
-        inside = along > 0
-        added_y, added_z = np.maximum(across[inside], 0.0), along[inside]
-        if first > 0:  # it ends in the ink of the centre line, higher than its direction says
-            height = float(added_z[0]) if added_z.size else float(z[0])
-            added_y, added_z = np.append(0.0, added_y), np.append(height, added_z)
-        elif not inside.all():
-            added_y, added_z = np.append(0.0, added_y), np.append(0.0, added_z)
-    y, z = np.concatenate([added_y, y]), np.concatenate([added_z, z])
-    if np.hypot(y[0], z[0]) < NEAR_KEEL * size:
-        y[0] = z[0] = 0.0
-    return np.maximum(y, 0.0), np.maximum(z, 0.0)
-
-
-def _along_level_line(y: Array, z: Array, trace: Trace, hidden: Mask, size: float) -> tuple[Array, Array]:
-    """A curve that begins level on a waterline lies on that line from the centre line on."""
-    if min(y[0], z[0]) <= NEAR_AXIS * size or y[0] < LEAST_FLAT * size:
+    part = arc >= arc[-1] - STRETCH * size
+    rise, lean = z[-1] - z[part][0], y[-1] - y[part][0]
+    tail = arc >= arc[-1] - TAIL * size
+    turning = y[-1] > CLOSE_TO_SIDE * size and z[-1] - z[tail][0] > BEGUN * (y[-1] - y[tail][0])
+    if rise <= STEEP_ENOUGH * abs(lean) and y[-1] < (1 - AT_LINE) * size and not turning:
         return y, z
-    row, slope = end_fit(trace.column, trace.row, last=False)
-    beyond = trace.column < trace.column[0] + BILGE * size
-    if slope - end_fit(trace.column[beyond], trace.row[beyond], last=True)[1] < LEAST_TURN:
-        return y, z
-    if not begins_on_level_line(Ends(trace.column[:1], np.array([row]), np.array([slope])), hidden)[0]:
-        return y, z
-    return np.append(0.0, y), np.append(z[0], z)
-
-
-def _on_centre_below(y: Array, z: Array, size: float) -> tuple[Array, Array]:
-    """A contour that begins below the base line begins on the centre line there, level."""
-    if y[0] > NEAR_AXIS * size:
-        return y, z
-    return np.append(0.0, np.maximum(y, 0.0)), np.append(z[0], z)
+    if y[-1] < size:  # it turns into the line: an arc needs twice the height of the straight way
+        join = min(z[-1] + 2 * (size - y[-1]) * max(rise, 0.0) / max(lean, 1e-6), z[-1] + FARTHEST * size, top)
+        share = np.linspace(0.0, 1.0, 8)[1:-1]
+        y = np.concatenate([y, y[-1] + (size - y[-1]) * share * (2 - share), [size]])
+        z = np.concatenate([z, z[-1] + (join - z[-1]) * share, [join]])
+    return np.append(y, y[-1]), np.append(z, top)
