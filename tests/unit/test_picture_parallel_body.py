@@ -56,6 +56,12 @@ def test_sections_that_go_on_changing_share_no_curve(step: float) -> None:
     assert f"{100 * step / SIZE:.1f} % of B/2" in doubt
 
 
+@pytest.mark.parametrize(("step", "doubts"), [(1.4, 0), (1.6, 1)])
+def test_three_per_mille_of_the_half_breadth_are_what_tracing_leaves(step: float, doubts: int) -> None:
+    # 2 r2 - 3 r1 + r0 of three curves has sqrt(14) times the error of one: twice that for curves good to 0.04 % of B/2
+    assert len(doubts_of_parallel_body([half_of([step * n for n in range(7, -1, -1)])], 300.0)) == doubts
+
+
 @pytest.mark.parametrize(("line_px", "doubts"), [(3.0, 1), (5.0, 0)])
 def test_sections_within_a_line_of_each_other_are_drawn_as_one(line_px: float, doubts: int) -> None:
     steps = [4.0 * n for n in range(7, -1, -1)]
