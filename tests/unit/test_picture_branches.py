@@ -23,7 +23,7 @@ def dome(number: int) -> Array:
     share = np.linspace(0.0, 1.0, 200)[:-1]
     bottom = -40.0 - 15.0 * number
     return np.column_stack(
-        [NECK[0] + (30.0 + 25.0 * number) * np.sin(np.pi * share) ** 2, bottom + (NECK[1] - bottom) * share]
+        [NECK[0] + (30.0 + 25.0 * number) * np.sin(np.pi * share) ** 4, bottom + (NECK[1] - bottom) * share]
     )
 
 

@@ -29,7 +29,7 @@ LEAST_GAIN = 0.002  # of B/2, mean: less is the noise of tracing
 FEWEST_STATIONS = 5
 NEIGHBOURS = 2  # to either side of which the fairness depends on a station
 STRETCH = 0.03  # of B/2: that shows where a curve heads
-LARGEST_BEND = np.radians(40.0)  # where a lower part goes on from an upper one: more is another line that crosses
+LARGEST_BEND = np.radians(20.0)  # where a lower part goes on from an upper one: lines that bend more cross
 
 
 @dataclass(frozen=True)
