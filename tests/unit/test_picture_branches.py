@@ -21,9 +21,9 @@ X = (100.0, 110.0, 120.0, 130.0, 140.0, 150.0)
 def dome(number: int) -> Array:
     """Below the neck: a bulge that grows along the ship and ends lower and lower."""
     share = np.linspace(0.0, 1.0, 200)[:-1]
-    bottom = -40.0 - 15.0 * number
+    bottom = -60.0 - 25.0 * number
     return np.column_stack(
-        [NECK[0] + (30.0 + 25.0 * number) * np.sin(np.pi * share) ** 4, bottom + (NECK[1] - bottom) * share]
+        [NECK[0] + (30.0 + 40.0 * number) * np.sin(np.pi * share) ** 4, bottom + (NECK[1] - bottom) * share]
     )
 
 
