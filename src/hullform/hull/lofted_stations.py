@@ -12,6 +12,7 @@ from hullform.errors import HullError
 from hullform.hull.drawn import (
     Extrapolation,
     FittedStation,
+    doubts_of_gaps,
     extrapolated_spans,
     fit_stations,
     lofted_super_ellipses,
@@ -85,5 +86,6 @@ def loft_stations(body_plan: BodyPlan, particulars: Particulars, stations: int, 
         x = places_with_stations(x, drawn_x)
         lofted = lofted_contours(fits, x, breadth)
     extrapolated, guesses = extrapolated_spans(drawn_x, length)
+    guesses += doubts_of_gaps(body_plan, length)
     doubts = disagreements + guesses + doubts_of_turning_back(body_plan, fits, breadth / 2)
     return LoftedStations(x, lofted, fits, extrapolated, doubts)
