@@ -299,3 +299,18 @@ def test_a_station_without_breadth_gives_the_line_of_the_stem() -> None:
     np.testing.assert_allclose(end[:, 1], 0.0, atol=1e-9)
     assert (end[:, 2].min(), end[:, 2].max()) == pytest.approx((5.0, 9.0))
     assert len(crossing_triangles(mesh.vertices, mesh.faces)) == 0
+
+
+def test_a_station_on_the_ships_end_makes_no_bay_of_a_millimetre() -> None:
+    plan = BodyPlan(
+        tuple(
+            station(x, np.array([[0, 0], [a, 1.5], [a + 1, 9]]))
+            for x, a in ((10, 5.0), (30, 5.5), (50, 6.0), (70, 5.5), (90, 3.0), (99.999, 0.5))
+        ),
+        "offsets",
+    )
+    hull = Hull.from_body_plan(plan, Particulars(), sections="traced")
+    assert hull.x_m[-1] == 100.0
+    # finite elements take no bay below 1e-5 of the length
+    assert np.diff(hull.x_m).min() > 1e-4 * 100.0
+    assert hull.half_breadth_m[-1] == pytest.approx(1.5, abs=0.01)

@@ -150,3 +150,16 @@ def test_flow_keeps_two_curves_apart_that_touch() -> None:
         row = np.concatenate([tracklets[i].row for i in path.tracklets]) - middle
         assert np.all(row > -0.8) or np.all(row < 0.8)  # neither crosses over
         assert abs(row[0]) > 15 or len(row) > 250
+
+
+def test_dashes_are_no_specks() -> None:
+    # a chain-dotted centre line 2 px thick in a picture of 2300 px, its dashes of 15 px a piece of 30 px each
+    page = np.full((400, 2300), 250, np.uint8)
+    page[50:350, 600:602] = 0
+    for top in range(50, 330, 24):
+        page[top : top + 15, 1149:1151] = 0
+        page[top + 19 : top + 21, 1149:1151] = 0
+    page[200:205, 1700:1705] = 0
+    ink = ink_of(page)
+    assert (ink[52, 1149:1151] > 0.9).all()
+    assert ink[202, 1702] == 0.0

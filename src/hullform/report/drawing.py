@@ -31,7 +31,10 @@ WEIGHT_COLOURS = {
     "deadweight": "#b9cbd9",
 }
 # Weights of other names, the items of a list, in turn.
-ITEM_COLOURS = ("#7f9f6f", "#a98bb3", "#c7b35f", "#6fa3a8", "#8794a1")
+ITEM_COLOURS = (
+    "#7f9f6f", "#a98bb3", "#c7b35f", "#6fa3a8", "#8794a1",
+    "#c98f82", "#4f6b45", "#d8c3de", "#8a7434", "#bcdcdc", "#6b4f76", "#cfd8b4",
+)  # fmt: skip
 
 PAGE_WIDTH = 9.2  # inches, of every figure
 JPEG_QUALITY = 82

@@ -17,6 +17,8 @@ FEWEST_GREYS = 0.002  # of the pixels: a smaller share between black and white m
 BLUR_OF_HARD_EDGES_PX = 0.7
 LEAST_INK_SHARE = 1e-4  # of the pixels: a body plan has 1 % and more
 LEAST_DRAWING = 0.4  # of the picture's width
+SMALLEST_PIECE_PX, SMALLEST_PIECE = 6.0, 7e-6  # px, and of the picture's width squared: less is a speck
+LEAST_OF_DASH = 3.0  # longer than thick
 BOX_OF_PIECE = (cv2.CC_STAT_LEFT, cv2.CC_STAT_TOP, cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT)
 EMPTY_OF_BORDER = (0.3, 0.7)  # of its breadth and height: a title block in its corner does not reach there
 STRIP_OF_BORDER = 0.1  # of its breadth and height: in it lies a side of a border, turned by a scanner or not
@@ -27,7 +29,7 @@ MOST_INK_SHARE = 0.4  # of the pixels: beyond it the picture is a photograph or 
 def ink_of(grey: Picture, name: str = "the picture") -> Ink:
     """Ink of each pixel, (paper - grey) / paper, scaled so that a full line is 1.
 
-    Single specks are dropped, and a border round the sheet.
+    Single specks are dropped, and a border round the sheet; dashes stay.
 
     Args:
         grey: (rows, columns) 8-bit picture.
@@ -67,7 +69,11 @@ def ink_of(grey: Picture, name: str = "the picture") -> Ink:
         )
     ink = np.clip(ink / np.percentile(dark, 90), 0.0, 1.0).astype(np.float32)
     _, labels, statistics, _ = cv2.connectedComponentsWithStats((ink > 0.25).astype(np.uint8), connectivity=8)
-    speck = statistics[:, cv2.CC_STAT_AREA] < max(6.0, 7.0 * (width / 1000.0) ** 2)
+    _, _, wide, high = (statistics[:, k] for k in BOX_OF_PIECE)
+    area = statistics[:, cv2.CC_STAT_AREA]
+    # the dashes of a chain-dotted centre line are as small, but long for their thickness
+    dash = np.maximum(wide, high) > LEAST_OF_DASH * np.minimum(wide, high)
+    speck = (area < SMALLEST_PIECE_PX) | ((area < SMALLEST_PIECE * width**2) & ~dash)
     dropped = speck | _borders(labels, statistics, width)
     dropped[0] = False
     ink[dropped[labels]] = 0.0
