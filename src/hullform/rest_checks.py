@@ -38,7 +38,7 @@ def check_trim(lever_m: float, trim_m: float, length_m: float) -> Check:
         100 * trim_m / length_m,
         (-TRIM_BY_BOW_LIMIT_PERCENT_LPP, TRIM_BY_STERN_LIMIT_PERCENT_LPP),
         "% of LPP",
-        "spread the weights so that LCG meets LCB, or add ballast; or was she taken the wrong way round? (aft_side of a "
+        "spread the weights so that LCG meets LCB, or add ballast; or is she the wrong way round? (aft_side of a "
         "picture, forward of a mesh)",
     )
 
