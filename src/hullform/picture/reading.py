@@ -39,6 +39,7 @@ from hullform.ship import Ship
 
 Array = NDArray[np.float64]
 
+AS_HIGH = (0.8, 1.5)  # of the depth: from curves that end at a lower deck to a high sheer
 LABELS_NOT_READ = (
     "the labels of the drawing were not read, so that nothing speaks for or against the names: install the extra 'ocr' "
     "(pip install 'hullform[ocr]')"
@@ -115,13 +116,25 @@ def read_picture(ship: Ship) -> PictureReading:
     except PictureError:
         _require_no_quarter_turn(ship, corrections)
         raise
-    if doubts_of_the_whole(len(reading.body_plan.doubts) - 1, _listed(ship)):
+    if doubts_of_the_whole(len(reading.body_plan.doubts) - 1, _listed(ship)) and not _as_high_as_deep(reading, ship):
         _require_no_quarter_turn(ship, corrections)
     return replace(reading, body_plan=replace(reading.body_plan, notes=(*notes, *reading.body_plan.notes)))
 
 
 def _listed(ship: Ship) -> int:
     return sum(len(ship.picture.names_of(half).positions_m) for half in HALVES)
+
+
+def _as_high_as_deep(reading: PictureReading, ship: Ship) -> bool:
+    """Whether the curves reach the ship's depth, and would not if the picture, scaled by its breadth, lay on its side.
+
+    Then they would be (B / D)^2 times as high. It spares two readings of a picture that is hard to read.
+    """
+    main = ship.particulars
+    height = max(float(curve.height_m.max()) for station in reading.body_plan.stations for curve in station.curves)
+    least, most = AS_HIGH
+    turned = (main.breadth_m / main.depth_m) ** 2
+    return least < height / main.depth_m < most and not least < turned < most
 
 
 def _require_no_quarter_turn(ship: Ship, corrections: Sequence[Correction]) -> None:
