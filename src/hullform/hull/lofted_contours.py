@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from itertools import groupby
 
@@ -13,6 +14,8 @@ from hullform.hull.contours import Contours
 from hullform.hull.correspondence import matched_points
 from hullform.hull.drawn import FittedStation, outer_breadths, outer_heights, with_ends
 from hullform.hull.fair_sections import fair_sections
+from hullform.hull.profiled import LIMIT, follow_between, follow_outside, stem_beyond
+from hullform.profile import Profile
 
 Array = NDArray[np.float64]
 
@@ -35,14 +38,17 @@ def places_with_stations(x: Array, drawn_x: Array) -> Array:
     return np.union1d(x[(apart > _NEAREST * spacing) | ends], inside)
 
 
-def lofted_contours(stations: Sequence[FittedStation], x: Array, breadth_m: float) -> Contours:
+def lofted_contours(
+    stations: Sequence[FittedStation], x: Array, breadth_m: float, profile: Profile | None = None
+) -> Contours:
     """Loft stations, of several at one x the mean, to the places x.
 
     Matched points (`correspondence`) follow cubics without overshoot between the drawn stations (`fair_sections`). A
     bulb or gondola apart from the body above it closes as half an ellipsoid where the next station has none, or where
     there is no next. Beyond the outermost stations the last section goes on, its breadth as the parabola through the
     greatest breadths of the last three has it, held to 0..its own and never growing outwards, its keel and deck in
-    straight lines, by no more than their last drawn step and not quite to each other.
+    straight lines, by no more than their last drawn step and not quite to each other. A profile, where there is one,
+    says where sections between and beyond the stations meet the centre plane (`profiled`).
 
     Raises:
         HullError: there are fewer than three stations at different x, or none has a shape.
@@ -66,6 +72,13 @@ def lofted_contours(stations: Sequence[FittedStation], x: Array, breadth_m: floa
         first, second = sorted((drawn_x[number], drawn_x[beside]))
         between = (x > first) & (x < second)
         lofted[between] = _closing(matched[number], lofted[between], reach[between])
+    if profile is not None:
+        for section, (aft, fore) in enumerate(itertools.pairwise(drawn_x.tolist())):
+            inside = (x > aft) & (x < fore)
+            if inside.any():
+                ends = matched[section : section + 2]
+                limit = LIMIT * breadth_m
+                lofted[inside] = follow_between(profile, (aft, fore), ends, x[inside], lofted[inside], limit)
     widest, top, keel = matched[..., 0].max(axis=1), matched[:, -1, 1], matched[..., 1].min(axis=1)
     wide = with_ends(drawn_x, widest, x, outer_breadths)
     high, low = (with_ends(drawn_x, values, x, outer_heights) for values in (top, keel))
@@ -74,6 +87,12 @@ def lofted_contours(stations: Sequence[FittedStation], x: Array, breadth_m: floa
             reach = np.abs(x - held)[outside]
             going_on = _going_on(last, wide[outside], high[outside], low[outside])
             lofted[outside] = _closing(last, going_on, reach)
+    if profile is not None and profile.from_m < drawn_x[0] and x[0] < drawn_x[0]:
+        outside = x < drawn_x[0]
+        lofted[outside] = follow_outside(profile, matched[0], x[outside], lofted[outside], None)
+    if profile is not None and profile.to_m > drawn_x[-1] and x[-1] > drawn_x[-1]:
+        outside, stem = x > drawn_x[-1], stem_beyond(profile, drawn_x, matched)
+        lofted[outside] = follow_outside(profile, matched[-1], x[outside], lofted[outside], stem)
     lofted[..., 0] = np.maximum(lofted[..., 0], 0.0)
     return Contours(lofted)
 
