@@ -52,7 +52,9 @@ class Profile:
             object.__setattr__(self, name, values)
         x, z = self.x_m, self.height_m
         if x.ndim != 1 or x.shape != z.shape or x.size < 2:
-            raise BodyPlanError(f"a profile needs two or more points (x, z); got {x.shape} places and {z.shape} heights")
+            raise BodyPlanError(
+                f"a profile needs two or more points (x, z); got {x.shape} places and {z.shape} heights"
+            )
         if not (np.isfinite(x).all() and np.isfinite(z).all()) or np.ptp(x) == 0:
             raise BodyPlanError("a profile has a place or height that is not a finite number, or no length")
 

@@ -163,7 +163,9 @@ def follow_outside(
     result[~there, :, 0] = 0.0
     if web is None:
         return result
-    return _closing(last[: first + 1], result, going_on, web, wanted.foot, np.where(np.isnan(wanted.stem), np.nan, wanted.head))
+    return _closing(
+        last[: first + 1], result, going_on, web, wanted.foot, np.where(np.isnan(wanted.stem), np.nan, wanted.head)
+    )
 
 
 def stem_beyond(profile: Profile, ends_x: Array, sections: Array) -> tuple[float, float, float]:
