@@ -147,7 +147,8 @@ def between_stations(ship: str, with_profile: bool) -> str:
     apart = distances(hull, form, places)
     lofted, own = waves_of(hull, x), waves_of_form(form, x)
     return (
-        f"| {ship} | {'given' if with_profile else 'none'} | {np.median(apart):.2f} | {np.quantile(apart, 0.9):.2f} | {apart.max():.2f} | "
+        f"| {ship} | {'given' if with_profile else 'none'} | {np.median(apart):.2f} | "
+        f"{np.quantile(apart, 0.9):.2f} | {apart.max():.2f} | "
         f"{places[apart.argmax()]:.1f} | {lofted.count} | {lofted.largest_percent:.2f} | {own.count} | "
         f"{own.largest_percent:.2f} |\n"
     )

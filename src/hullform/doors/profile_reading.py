@@ -69,8 +69,8 @@ def _require_simple(path: Path, contour: np.ndarray) -> None:
 
     if len(contour) < 2 or contour[0, 0] == contour[-1, 0]:
         raise BodyPlanError(
-            f"{path}: the profile begins and ends at x_m = {contour[0, 0]:g}; give its points in order from the deck at "
-            "the stern round the keel to the deck at the stem, the deck itself left out"
+            f"{path}: the profile begins and ends at x_m = {contour[0, 0]:g}; give its points in order from the "
+            "deck at the stern round the keel to the deck at the stem, the deck itself left out"
         )
     drawn = shapely.LineString(contour)
     if drawn.is_simple:
@@ -78,6 +78,6 @@ def _require_simple(path: Path, contour: np.ndarray) -> None:
     pieces = shapely.node(drawn).geoms
     x, z = pieces[0].coords[-1]
     raise BodyPlanError(
-        f"{path}: the profile crosses itself at x_m = {x:g}, z_m = {z:g}; give its points in order from the deck at the "
-        "stern round the keel to the deck at the stem"
+        f"{path}: the profile crosses itself at x_m = {x:g}, z_m = {z:g}; give its points in order from the deck at "
+        "the stern round the keel to the deck at the stem"
     )
