@@ -1,4 +1,4 @@
-"""Draw docs/images/scim-containership.png: the body plan as it was read, and the loaded ship's first modes."""
+"""Draw the README's picture: the bulk carrier's body plan as it was read, and the loaded ship's first modes."""
 
 from __future__ import annotations
 
@@ -12,10 +12,11 @@ from hullform.picture.overlay import draw_overlay
 from hullvib.plots import plot_modes
 
 ROOT = Path(__file__).parent.parent
-PATH = ROOT / "docs" / "images" / "scim-containership.png"
+SHIP = "handymax-bulk-carrier"
+PATH = ROOT / "docs" / "images" / f"{SHIP}.png"
 
 if __name__ == "__main__":
-    run = run_ship(read_ship(ROOT / "bodyplans" / "scim-containership" / "ship.toml"))
+    run = run_ship(read_ship(ROOT / "bodyplans" / SHIP / "ship.toml"))
     drawn = draw_overlay(run.reading)[:, :, ::-1]
     below_the_base_line = int(run.reading.calibration.baseline_px) + 60
     figure = Figure(figsize=(15, 5.2), dpi=110, layout="constrained")

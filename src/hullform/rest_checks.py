@@ -38,7 +38,8 @@ def check_trim(lever_m: float, trim_m: float, length_m: float) -> Check:
         100 * trim_m / length_m,
         (-TRIM_BY_BOW_LIMIT_PERCENT_LPP, TRIM_BY_STERN_LIMIT_PERCENT_LPP),
         "% of LPP",
-        "spread the weights so that LCG meets LCB, or add ballast",
+        "spread the weights so that LCG meets LCB, or add ballast; check aft_side, where the picture of a body plan "
+        "may have been taken the wrong way round",
     )
 
 

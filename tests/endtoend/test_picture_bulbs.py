@@ -75,6 +75,21 @@ def dome(fullness: float) -> Contours:
     return (np.vstack([belly, over[1:], waist + share[1:] * (top - waist)]),)
 
 
+def necked(number: int) -> Contours:
+    """A dome below a neck that all such sections have in common: the finer the flare above it, the larger the dome."""
+    share = np.linspace(0.0, 1.0, 120)
+    bottom, neck, width = -1.0 - 0.5 * number, (1.2, 1.2), 0.7 + 0.7 * number
+    below = np.column_stack(
+        [
+            neck[0] * np.sqrt(np.sin(np.pi / 2 * share)) + width * np.sin(np.pi * share) ** 2,
+            bottom + (neck[1] - bottom) * share,
+        ]
+    )
+    rise = share[1:, None]
+    above = np.column_stack([neck[0] + (5.0 - 1.2 * number) * rise**1.6, neck[1] + (DEPTH_M - neck[1]) * rise])
+    return (np.vstack([below, above]),)
+
+
 def tunnel(fullness: float) -> Contours:
     """A section with a tunnel: from the base line up to a roof, down to a bilge, up a straight side."""
     roof, bilge = 5.0 + fullness, 9.0 + fullness / 2
@@ -178,6 +193,30 @@ def test_domes_are_followed_below_the_base_line(tmp_path: Path) -> None:
         assert max(missed(station, truth)) < WORST_RMS, station.name
     lowest = [float(station.curves[0].height_m.min()) for station in stations]
     assert lowest == pytest.approx([0.0, 0.0, 0.0, -2.0, -1.75, -1.5], abs=3 * METRES_PER_PX)
+
+
+def test_domes_whose_necks_run_through_one_place_keep_their_flares(tmp_path: Path) -> None:
+    fore = [plain(1.0), plain(0.85), plain(0.7), *(necked(number) for number in range(4))]
+    stations = fore_stations(drawing(tmp_path, AFT, fore))
+    assert [station.x_m for station in stations] == list(FORE_M[: len(fore)])
+    lowest = [float(station.curves[0].height_m.min()) for station in stations]
+    assert lowest == pytest.approx([0.0, 0.0, 0.0, -1.0, -1.5, -2.0, -2.5], abs=4 * METRES_PER_PX)
+    for station, truth in zip(stations, fore, strict=True):
+        assert max(missed(station, truth)) < 2 * WORST_RMS, station.x_m  # the neck is one ribbon of four lines
+
+
+def test_a_mark_on_a_dome_gives_it_to_that_station(tmp_path: Path) -> None:
+    # the smaller dome marked as the one of the finer flare, against the fair waterlines
+    fore = [plain(1.0), plain(0.85), plain(0.7), *(necked(number) for number in range(4))]
+    drawing(tmp_path, AFT, fore)
+    y, z = necked(1)[0][60]
+    mark = f"px = [{CENTRE + y / METRES_PER_PX:.1f}, {BASE - z / METRES_PER_PX:.1f}]"
+    text = (tmp_path / "ship.toml").read_text(encoding="utf-8")
+    said = f'{text}[[body_plan.marks]]\nstation_m = {FORE_M[5]}\nhalf = "fore"\n{mark}\n'
+    (tmp_path / "ship.toml").write_text(said, encoding="utf-8")
+    marked = fore_stations(read_picture(read_ship(tmp_path / "ship.toml")))[5].curves[0]
+    assert marked.height_m.min() == pytest.approx(-1.5, abs=4 * METRES_PER_PX)
+    assert marked.half_breadth_m[-1] == pytest.approx(necked(2)[0][-1, 0], abs=4 * METRES_PER_PX)
 
 
 def test_letters_below_the_base_line_are_no_dome(tmp_path: Path) -> None:

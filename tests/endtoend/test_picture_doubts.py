@@ -50,11 +50,20 @@ def doubts(reading: PictureReading) -> str:
 @pytest.mark.parametrize(
     ("name", "edit", "words"),
     [
-        (WIGLEY, (" 10.0, 15.0,", " 15.0,"), "aft half: 10 curves seen but 9 stations listed; one station is missing"),
+        (
+            WIGLEY,
+            (" 10.0, 15.0,", " 15.0,"),
+            "aft half: 10 curves seen but 9 stations listed; one station is missing .* between 5, 15 m",
+        ),
         (WIGLEY, (r"95.0, 97.5", "95.0"), "fore half: 10 curves seen but 9 stations listed"),
+        (WIGLEY, (" 75.0,", ""), "fore half: 10 curves seen but 9 stations listed; .* between 70, 80 m"),
         (CONTAINER, (" 16.3, 19.4,", ""), "aft half: 13 curves seen but 11 stations listed; 2 stations are missing"),
         (WIGLEY, ("45.0,", "45.0, 47.5,"), r"10 curves for 11 stations, but the outermost, .* only 99.0 % of B/2"),
-        (CONTAINER, ("118.6,", "117, 118.6, 119, 120, 121, 122, 123, 124,"), "13 curves for 20 stations"),
+        (
+            CONTAINER,
+            ("118.6,", f"118.6, {', '.join(str(119 + k / 2) for k in range(15))},"),
+            "13 curves for 28 stations",
+        ),
         # a parallel body from 60 to 185 m is 52 % of the LPP
         (
             TANKER,
@@ -70,6 +79,14 @@ def test_curves_that_do_not_fit_the_stations(name: str, edit: tuple[str, str], w
 
 def test_a_mirrored_picture(tmp_path: Path) -> None:
     assert "aft_side" in doubts(read(tmp_path, CONTAINER, picture=shipped(CONTAINER)[:, ::-1]))
+
+
+@pytest.mark.parametrize("quarter_turns", [1, -1])
+def test_a_picture_that_lies_on_its_side(quarter_turns: int, tmp_path: Path) -> None:
+    # turned counterclockwise, it stands again when it is turned clockwise
+    back = "clockwise" if quarter_turns == 1 else "counterclockwise"
+    with pytest.raises(PictureError, match=f"lies on its side: turned by 90 degrees {back} it reads"):
+        read(tmp_path, WIGLEY, picture=np.rot90(shipped(WIGLEY), quarter_turns))
 
 
 @pytest.mark.parametrize(

@@ -42,8 +42,9 @@ def formed(of: Ship) -> Hull:
 
 @pytest.mark.parametrize(("block", "midship", "lcb_percent"), SERIES_60)
 def test_the_estimates_are_near_series_60(block: float, midship: float, lcb_percent: float) -> None:
-    # ships of one block coefficient differ by a per cent and more in Cm, by two per cent of LPP in LCB
-    assert midship_coefficient(block) == pytest.approx(midship, abs=0.01)
+    # the formula has 1.5 % less than full at 0.60 of Cb, where the parents are finer than ships since; they differ by
+    # two per cent of LPP in LCB
+    assert midship_coefficient(block) == pytest.approx(midship, abs=0.006 if block == 0.60 else 0.0025)
     assert 100 * lcb_share(block / midship) == pytest.approx(lcb_percent, abs=0.5)
 
 
@@ -98,13 +99,18 @@ def test_the_hull_has_the_fullness_and_the_centre_of_buoyancy(block: float, dept
     # thirty stations of a form whose ends are rounded off: 0.3 %, of the 1 % at which a check speaks
     assert afloat.block_coefficient == pytest.approx(block, rel=0.003)
     midship = midship_coefficient(block)
-    # the largest section may lie off midships, swung there; of the finest form it is a peak, which the loft rounds
-    (shoulder, _) = area_curve(block, midship, lcb_share(block / midship)).shoulders
-    largest = hull.sectional_areas(13.2, of.particulars.aft_perpendicular_m + 248.0 * shoulder)
-    assert float(largest) == pytest.approx(midship * 32.2 * 13.2, rel=0.003)
+    # the largest section may lie off midships, swung there; of a fine form it is a peak between two places of the loft,
+    # of which a straight line between them would cut most
+    curve, aft = area_curve(block, midship, lcb_share(block / midship)), of.particulars.aft_perpendicular_m
+    place = aft + 248.0 * curve.shoulders[0]
+    full = midship * 32.2 * 13.2
+    chord = float(np.interp(place, hull.x_m, curve(np.clip((hull.x_m - aft) / 248.0, 0.0, 1.0)))) * full
+    assert chord * (1 - 2e-4) <= float(hull.sectional_areas(13.2, place)) <= full * (1 + 2e-4)
     assert afloat.lcb_from_midships_m / 248.0 == pytest.approx(lcb_share(block / midship), abs=0.001)
     assert hull.mesh().is_watertight
-    assert hull.half_breadth_m.max() == pytest.approx(16.1, rel=3e-3)
+    # the peak of the finest form again, its half-breadth the square root of the area's share
+    cut = 1 - chord / full
+    assert 16.1 * (1 - cut - 1e-4) <= hull.half_breadth_m.max() <= 16.1 * (1 + 1e-4)
 
 
 def test_what_is_given_is_taken() -> None:

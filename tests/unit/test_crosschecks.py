@@ -97,3 +97,15 @@ def test_displacement_and_block_coefficient(key: str, other: str, stretch: float
     found = "\n".join(crosscheck(stations, given, Water()))
     assert (f"{key} = " in found) == (stretch != 1.0)
     assert other not in found
+
+
+def test_a_deck_that_is_wider_forward_asks_for_aft_side() -> None:
+    name = CONTAINER
+    right = [*named(*drawn(name, "aft"), "aft"), *named(*drawn(name, "fore"), "fore")]
+    main = ship(name).particulars
+    there = {"aft": "fore", "fore": "aft"}
+    mirrored = [
+        replace(station, x_m=main.length_overall_m - station.x_m, half=there[station.half]) for station in right
+    ]
+    assert "aft_side: over her fore quarter the deck has" in "\n".join(crosscheck(mirrored, main, Water()))
+    assert "aft_side" not in "\n".join(crosscheck(right, main, Water()))

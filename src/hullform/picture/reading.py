@@ -16,6 +16,7 @@ from hullform.picture.checking.crosschecks import crosscheck
 from hullform.picture.checking.doubts import (
     doubts_below_base,
     doubts_of_counts,
+    doubts_of_decks,
     doubts_of_edges,
     doubts_of_keel,
     doubts_of_scale,
@@ -109,8 +110,43 @@ def read_picture(ship: Ship) -> PictureReading:
     if review is not None:
         notes = (f"{ship.review_path.name} goes before {ship.path.name}; it gives {review.account}",)
         ship, corrections = review.applied_to(ship), review.corrections
-    reading = read_sheet(prepare_sheet(ship), ship, corrections)
+    try:
+        reading = read_sheet(prepare_sheet(ship), ship, corrections)
+    except PictureError:
+        _require_no_quarter_turn(ship, corrections)
+        raise
+    if doubts_of_the_whole(len(reading.body_plan.doubts) - 1, _listed(ship)):
+        _require_no_quarter_turn(ship, corrections)
     return replace(reading, body_plan=replace(reading.body_plan, notes=(*notes, *reading.body_plan.notes)))
+
+
+def _listed(ship: Ship) -> int:
+    return sum(len(ship.picture.names_of(half).positions_m) for half in HALVES)
+
+
+def _require_no_quarter_turn(ship: Ship, corrections: Sequence[Correction]) -> None:
+    """Refuse a picture that cannot be read as it is, but turned by 90 degrees can.
+
+    Args:
+        ship: of the picture; with marks or a calibration a person has seen it upright.
+        corrections: likewise.
+
+    Raises:
+        PictureError: it lies on its side.
+    """
+    if ship.picture.marks or ship.picture.calibration or corrections:
+        return
+    path = ship.picture.image_path
+    for quarter_turns, direction in ((1, "counterclockwise"), (-1, "clockwise")):
+        try:
+            turned = read_sheet(prepare_sheet(ship, quarter_turns), ship).body_plan
+        except PictureError:
+            continue
+        if not doubts_of_the_whole(len(turned.doubts), _listed(ship)):
+            raise PictureError(
+                f"{path}: the picture lies on its side: turned by 90 degrees {direction} it reads as this ship's body "
+                f"plan, with {len(turned.doubts)} doubts; turn the picture so"
+            ) from None
 
 
 def read_sheet(sheet: Sheet, ship: Ship, corrections: Sequence[Correction] = ()) -> PictureReading:
@@ -157,7 +193,7 @@ def _read(sheet: Sheet, ship: Ship, corrections: Sequence[Correction]) -> Pictur
         ),
         *doubts_below_base(readings, sheet.bare),
         *doubts_of_keel(readings, main.depth_m),
-        *doubts_of_counts(halves),
+        *doubts_of_counts(halves, main.draught_m),
         *doubts_of_parallel_body(halves, main.length_between_perpendiculars_m),
         *doubts_of_sides([half.labels for half in halves]),
         *crosscheck(stations, main, ship.water),
@@ -167,7 +203,7 @@ def _read(sheet: Sheet, ship: Ship, corrections: Sequence[Correction]) -> Pictur
     if labels is None:
         notes.append(LABELS_NOT_READ)
     doubts = [*sheet.calibrated.doubts, *doubts_of_stations, *doubts_of_input, *doubts_of_edges(readings, sheet.bare)]
-    doubts += doubts_of_loose_ends(halves)
+    doubts += [*doubts_of_decks(halves, sheet.bare), *doubts_of_loose_ends(halves)]
     doubts = [*doubts_of_the_whole(len(doubts), sum(len(half.inner_first) for half in halves)), *doubts]
     calibration = sheet.calibrated.calibration
     body_plan = BodyPlan(tuple(stations), "picture", sheet.reduction.stored(calibration), tuple(notes), tuple(doubts))

@@ -14,17 +14,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.body_plan import Half, Station, TracedCurve
+from hullform.picture.naming.fair_lines import beside_fair_lines, unfairness
 from hullform.ship import Particulars, Water
 
 Array = NDArray[np.float64]
 Names = Mapping[Half, Sequence[Sequence[float]]]  # of each curve of a half, from the centre line outwards
 
 LEVELS = (0.1, 0.25, 0.4, 0.55, 0.7, 0.85, 1.0)  # of the draught: the waterlines
-LARGEST_UNFAIRNESS = 0.08  # of B/2: a knuckle counts as no more
 MUCH_FAIRER = 0.75  # right readings get no fairer than 0.82 by another naming, wrong ones fall to 0.3 to 0.7
 LEAST_GAIN = 0.001  # of B/2, mean: less is the noise of tracing
 BETWEEN = (0.3, 0.5, 0.7)  # of a spacing: where a station that is not listed may lie
 FEWEST_CURVES = 4  # of a half
+OUTER_QUARTER, NEAR_END = 0.25, 0.1  # of LOA: where the decks are compared, and what stations must come near to
+WIDER_FORE = 0.05  # of B/2: of a dozen hulls of others and eight families drawn none is wider fore by more than 0.01
 DISPLACEMENT_LIMIT = (
     0.03  # trapezoids over the stations miss up to 0.7 % on fifteen hulls; shell and appendages add as much
 )
@@ -41,7 +43,11 @@ def crosscheck(stations: Sequence[Station], particulars: Particulars, water: Wat
     Returns:
         doubts.
     """
-    return [*_doubts_of_names(stations, particulars), *_doubts_of_displacement(stations, particulars, water)]
+    return [
+        *_doubts_of_names(stations, particulars),
+        *_doubts_of_ends(stations, particulars),
+        *_doubts_of_displacement(stations, particulars, water),
+    ]
 
 
 def _doubts_of_names(stations: Sequence[Station], particulars: Particulars) -> list[str]:
@@ -58,7 +64,10 @@ def _doubts_of_names(stations: Sequence[Station], particulars: Particulars) -> l
                 drawn.append(station.curves[0])
                 names[half].append([])
             names[half][-1].append(station.x_m)
-        rows = [_half_breadths(curve, levels_m) / (particulars.breadth_m / 2) for curve in drawn]
+        rows = [
+            half_breadths(curve.half_breadth_m, curve.height_m, levels_m) / (particulars.breadth_m / 2)
+            for curve in drawn
+        ]
         curves[half] = np.array(rows).reshape(len(rows), len(levels_m))
     as_named = _unfairness(names, curves)
     other = [(_unfairness(naming, seen), words) for naming, seen, words in _other_namings(names, curves)]
@@ -114,41 +123,40 @@ def _named(listed: list[float], curves: int) -> list[list[float]]:
 
 
 def _unfairness(names: Names, curves: Mapping[Half, Array]) -> float:
-    """Mean distance of half-breadths, in parts of B/2, from lines through their neighbours along the ship.
-
-    The lines are straight through one neighbour to either side or cubic through two, whichever passes nearer: at a
-    knuckle the first is fair, in a round bilge the second.
-    """
+    """Mean distance of half-breadths, in parts of B/2, from fair lines along the ship."""
     x = np.array([x for half in names for group in names[half] for x in group])
     y = np.concatenate([np.repeat(curves[half], [len(group) for group in names[half]], axis=0) for half in names])
     x, first = np.unique(x, return_index=True)
     y = y[first]
     if len(x) < 2 * FEWEST_CURVES:
         return 0.0
-    beside = np.abs(y[1:-1] - _through(x, y, (-1, 1), 1))
-    beside[1:-1] = np.fmin(beside[1:-1], np.abs(y[2:-2] - _through(x, y, (-2, -1, 1, 2), 2)))
-    known = np.isfinite(beside)
-    return float(np.minimum(beside[known], LARGEST_UNFAIRNESS).mean()) if known.any() else 0.0
+    return unfairness(beside_fair_lines(x, y))
 
 
-def _through(x: Array, y: Array, neighbours: tuple[int, ...], margin: int) -> Array:
-    """Lagrange's polynomial through some neighbours of each station, at that station."""
-    at = np.arange(margin, len(x) - margin)
-    total = np.zeros((len(at), y.shape[1]))
-    for k in neighbours:
-        weight = np.ones(len(at))
-        for m in neighbours:
-            if m != k:
-                weight *= (x[at] - x[at + m]) / (x[at + k] - x[at + m])
-        total += weight[:, None] * y[at + k]
-    return total
+def half_breadths(half_breadth: Array, height: Array, levels: Array) -> Array:
+    """Half-breadths of a curve, keel to deck, at levels; NaN below it: a waterline ends there with a kink by right."""
+    rising = np.maximum.accumulate(height)
+    y = np.interp(levels, rising, half_breadth)
+    return np.asarray(np.where((levels <= rising[0]) | (y <= 0), np.nan, y))
 
 
-def _half_breadths(curve: TracedCurve, levels_m: Array) -> Array:
-    """Half-breadths at levels, m; NaN below the curve: where a waterline ends it has a kink by right."""
-    rising = np.maximum.accumulate(curve.height_m)
-    y = np.interp(levels_m, rising, curve.half_breadth_m)
-    return np.asarray(np.where((levels_m <= rising[0]) | (y <= 0), np.nan, y))
+def _doubts_of_ends(stations: Sequence[Station], particulars: Particulars) -> list[str]:
+    """The deck of a ship is at least as wide over her aft quarter as over her fore one: sterns carry, stems part."""
+    length, half_breadth = particulars.length_overall_m, particulars.breadth_m / 2
+    x, first = np.unique([station.x_m for station in stations], return_index=True)
+    y = np.array([float(stations[n].curves[0].half_breadth_m[-1]) for n in first]) / half_breadth
+    nearest = max(float(x[0]), length - float(x[-1]), 0.0)
+    if nearest > NEAR_END * length:
+        return []
+    away = np.linspace(nearest, OUTER_QUARTER * length, 20)
+    aft, fore = float(np.interp(away, x, y).mean()), float(np.interp(length - away, x, y).mean())
+    if fore - aft <= WIDER_FORE:
+        return []
+    return [
+        f"aft_side: over her fore quarter the deck has {100 * fore:.0f} % of the breadth on average, over her aft "
+        f"quarter {100 * aft:.0f} %; ships are wider aft: check aft_side and whether the picture is mirrored; "
+        "lcb_from_midships_m, where it is given, shows it too"
+    ]
 
 
 def _doubts_of_displacement(stations: Sequence[Station], particulars: Particulars, water: Water) -> list[str]:

@@ -9,7 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.errors import PictureError
+from hullform.picture.checking.missing import where_missing
 from hullform.picture.image.ink import Ink
+from hullform.picture.naming.alignment import NO_CURVE
 from hullform.picture.naming.named_half import NamedHalf
 from hullform.picture.tracing.half import HalfReading
 
@@ -52,8 +54,13 @@ def doubts_of_the_whole(doubts: int, stations: int) -> list[str]:
     ]
 
 
-def doubts_of_counts(halves: Sequence[NamedHalf]) -> list[str]:
-    """More curves than stations, and halves that fit each other's stations better."""
+def doubts_of_counts(halves: Sequence[NamedHalf], draught_m: float) -> list[str]:
+    """More curves than stations, and halves that fit each other's stations better.
+
+    Args:
+        halves: both.
+        draught_m: to which waterlines are looked at.
+    """
     doubts = []
     for half in halves:
         name, listed, more = half.reading.half, len(half.inner_first), half.reading.unlisted
@@ -62,7 +69,7 @@ def doubts_of_counts(halves: Sequence[NamedHalf]) -> list[str]:
             missing = "one station is" if more == 1 else f"{more} stations are"
             doubts.append(
                 f"{name} half: {seen} curves seen but {listed} stations listed; {missing} missing from "
-                f"{name}_stations_m"
+                f"{name}_stations_m{where_missing(half, draught_m)}"
             )
     (a, b), (listed_a, listed_b) = (len(h.reading.curves) for h in halves), (len(h.inner_first) for h in halves)
     if abs(a - listed_b) + abs(b - listed_a) < abs(a - listed_a) + abs(b - listed_b):
@@ -98,7 +105,7 @@ def doubts_of_scale(
     tops_m = [top * scale for top in sides if top is not None] or [
         max(float(curve[-1, 1]) for curve in near_side or [curve for curve, _ in curves]) * scale
     ]
-    near = np.asarray(cv2.dilate(bare, np.ones((2 * NEAR_PX + 1,) * 2, np.uint8)), dtype=np.float32)
+    near = _widened(bare)
     # those that run up the line of B/2 are taken to the depth by its meaning, and along it others go on with sheer
     off_side = [(c, r) for c, r in curves if c[-1, 0] < ON_SIDE * r.frame.half_breadth_px]
     beyond = [_runs_on(curve, reading, near) for curve, reading in off_side or curves]
@@ -205,6 +212,41 @@ def doubts_of_edges(readings: Sequence[HalfReading], bare: Ink) -> list[str]:
                 f"{cut} lines run out of the picture at its top or sides; give a picture of the whole body plan"
             )
     return doubts
+
+
+def doubts_of_decks(halves: Sequence[NamedHalf], bare: Ink) -> list[str]:
+    """Stations near the side that go on above the deck edge, which was taken for level where it could not be seen.
+
+    Args:
+        halves: with their stations.
+        bare: (rows, columns) ink of the picture without its long straight lines.
+    """
+    doubts = []
+    near = _widened(bare)
+    for half in halves:
+        reading, sheer = half.reading, half.reading.sheer
+        if sheer is None or sheer.falls:
+            continue
+        by_hand = {number for number, _ in reading.drawn}
+        going_on = [
+            x
+            for x, number in zip(half.inner_first, half.assigned, strict=True)
+            if number != NO_CURVE
+            and number not in by_hand
+            and reading.curves[number][-1, 0] > sheer.seen_to_px
+            and _runs_on(reading.curves[number], reading, near)
+        ]
+        if going_on:
+            doubts.append(
+                f"{half.names.several(sorted(going_on))} ({reading.half} half): ink goes on above their upper ends, "
+                "near the side, where the deck edge could not be seen and was taken to go on level; look at them in "
+                "the overlay, or draw the deck edge on the review page"
+            )
+    return doubts
+
+
+def _widened(bare: Ink) -> Ink:
+    return np.asarray(cv2.dilate(bare, np.ones((2 * NEAR_PX + 1,) * 2, np.uint8)), dtype=np.float32)
 
 
 def _strokes(strip: Ink) -> int:

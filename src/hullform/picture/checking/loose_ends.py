@@ -29,6 +29,7 @@ def doubts_of_loose_ends(halves: Sequence[NamedHalf]) -> list[str]:
         by_hand = {number for number, _ in reading.drawn}
         named = sorted(set(half.assigned) - {NO_CURVE})
         tops = np.array([reading.curves[number][-1] for number in named])
+        doubts += _turning_back(half, tops, named, by_hand)
         for x, number in zip(half.inner_first, half.assigned, strict=True):
             if number == NO_CURVE or number in by_hand:
                 continue
@@ -42,6 +43,34 @@ def doubts_of_loose_ends(halves: Sequence[NamedHalf]) -> list[str]:
             doubts.append(
                 f"{reading.half} half: {len(places)} strokes as bold as stations belong to no curve, near "
                 f"{', '.join(places[:4])}; look at them in the overlay"
+            )
+    return doubts
+
+
+def _turning_back(half: NamedHalf, tops: Array, named: Sequence[int], by_hand: set[int]) -> list[str]:
+    """Doubts about upper ends where the sheer line falls unseen: in order, they follow one edge.
+
+    Args:
+        half: with its stations.
+        tops: (curves, 2) [y, z] of the upper ends of the named curves from the centre line outwards, px.
+        named: their numbers.
+        by_hand: those that a person drew.
+    """
+    sheer, frame = half.reading.sheer, half.reading.frame
+    if sheer is None:
+        return []
+    doubts = []
+    station = dict(zip(reversed(half.assigned), reversed(half.inner_first), strict=True))
+    for k in range(1, len(named) - 1):
+        before, after = tops[k] - tops[k - 1], tops[k + 1] - tops[k]
+        far = min(np.hypot(*before), np.hypot(*after)) > ON_DECK * frame.half_breadth_px
+        pair = named[k : k + 2]
+        if far and before @ after < 0 and sheer.lost_at(float(tops[k, 0])) and not by_hand & set(pair):
+            first, second = (half.names.one(station[number]) for number in pair)
+            low, high = (f"{top[1] * frame.metres_per_px:.2f}" for top in tops[k : k + 2])
+            doubts.append(
+                f"{first} and {second}: upper ends at z {low} and {high} m, out of order along a deck edge that was "
+                "not seen there; look at them in the overlay, or draw the deck edge on the review page"
             )
     return doubts
 
@@ -88,7 +117,7 @@ def loose_end(curve: Array, reading: HalfReading, in_line: bool) -> str:
             "be seen and it may begin at the upper end"
         )
     decks = list(reading.decks_px)
-    if reading.sheer is not None:
+    if reading.sheer is not None and not reading.sheer.lost_at(float(top_y)):
         decks += reading.sheer.range_at(float(top_y))
     at_side = top_y > (1 - ON_SIDE) * size
     between = bool(decks) and min(decks) - ON_DECK * size < top_z < max(decks) + ON_DECK * size

@@ -14,8 +14,8 @@ from hullform.ship_body_plan import SAME_STATION_M
 
 Array = NDArray[np.float64]
 
-LONGEST_PARALLEL_BODY = 0.45  # of LPP: longer than full tankers share one drawn curve
-MOST_UNDRAWN = 0.34  # of a half's stations: tankers leave a fifth to a quarter undrawn
+LONGEST_PARALLEL_BODY = 0.5  # of LPP: full tankers share one drawn curve over 0.45
+MOST_UNDRAWN = 0.5  # of a half's stations: half a parallel body of that length, at the spacing of midships
 FULLEST = 0.994  # of B/2: what a curve of the parallel body reaches
 SAME_BODY = 0.015  # between the areas of the two halves' curves of the parallel body
 MOST_MOVE = 0.003  # of B/2, mean: run-outs into parallel bodies come to 0.0012, lists at fault to 0.0034 and more
@@ -43,7 +43,7 @@ def doubts_of_parallel_body(halves: Sequence[NamedHalf], length_between_perpendi
                 f"{name} half: {curves} curves for {listed} stations, but the outermost, which {words} would share, "
                 f"reaches only {100 * reach:.1f} % of B/2 and is no parallel body; check {name}_stations_m"
             )
-        elif not _said(half) and (move := _next_move(half)) > MOST_MOVE:
+        elif not _said(half) and (move := _next_move(half)) > _most_move(half):
             doubts.append(
                 f"{name} half: {words} share the outermost curve, but the sections still change where it begins: as "
                 f"the curves inside of it go on, the next would lie {100 * move:.1f} % of B/2 beside it on average; "
@@ -64,6 +64,16 @@ def doubts_of_parallel_body(halves: Sequence[NamedHalf], length_between_perpendi
                 f"{100 * areas[0] / areas[1]:.1f} : 100 and are not one section; check aft_stations_m, fore_stations_m"
             )
     return doubts
+
+
+def _most_move(half: NamedHalf) -> float:
+    """How far beside the shared curve the next section may lie.
+
+    One station too many makes two share a curve. Three and more are a parallel body of a list that is wrong by more
+    than one, or of the ship, whose sections within a line's thickness are drawn as one line.
+    """
+    reading = half.reading
+    return max(MOST_MOVE, reading.line_px / reading.frame.half_breadth_px if len(half.shared) > 2 else 0.0)
 
 
 def _said(half: NamedHalf) -> bool:

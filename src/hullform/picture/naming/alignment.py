@@ -13,6 +13,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from hullform.picture.naming.fair_lines import LARGEST_UNFAIRNESS
+
 Array = NDArray[np.float64]
 
 COST_OF_SHARING_INSIDE = 30.0  # px of mark distance that sharing any but the outermost curve is worth
@@ -20,7 +22,6 @@ COST_OF_SHARING_OUTSIDE = 0.5
 COST_OF_UNNAMED_CURVE = 60.0  # of a whole curve; of a piece by its certainty
 COST_OF_UNDRAWN_STATION = 40.0
 COST_OF_UNFAIRNESS = 700.0  # per B/2 of half-breadth beside the line between the two neighbours
-LARGEST_UNFAIRNESS = 0.08  # of B/2: a knuckle in the waterlines, no worse than this
 MOST_UNDRAWN_TOGETHER = 2
 MARK_NOISE_PX = 5.0  # a hand's error and half a line: curves so near are all meant
 FARTHEST_MARK_PX = 200.0  # a mark farther from every curve says no more than this

@@ -18,8 +18,9 @@ from hullform.picture.naming.alignment import NO_CURVE, assign_stations, certain
 from hullform.picture.naming.contours import NO_LOOP, marks_on_loops, pair_loops
 from hullform.picture.naming.crossings import crossings
 from hullform.picture.naming.label_doubts import doubts_of_labels
-from hullform.picture.naming.marks import near_curves, place_marks, unheeded
+from hullform.picture.naming.marks import PlacedMark, near_curves, place_marks, unheeded
 from hullform.picture.naming.proposals import LabelledHalf, label_costs, label_half
+from hullform.picture.naming.rejoining import rejoined
 from hullform.picture.naming.seen import SeenCurve, StationDoubt, UnusedLine, seen_curves, unused_lines
 from hullform.picture.sheet.sheet import Sheet
 from hullform.picture.tracing.half import HalfReading, trace_half
@@ -119,16 +120,12 @@ def read_half(
     loops = [loop.points for loop in reading.loops]
     marks, on_loops = marks_on_loops(marks, reading.curves, loops, size)
     marks, doubts_of_places = near_curves(marks, reading.curves, size)
-    at = [(mark.station, mark.y_px, mark.z_px) for mark in marks]
     labelled = label_half(labels, frame, names, inner_first)
-    assigned = assign_stations(
-        inner_first,
-        half_breadths_at(reading.curves, size),
-        certainties(reading.curves, reading.confidences),
-        mark_distances(reading.curves, at, len(inner_first)),
-        [(_index(inner_first, x), number) for number, x in reading.drawn],
-        label_costs(labelled.named, reading.curves, len(inner_first)),
+    touching = rejoined(
+        reading, inner_first, names, marks, placed, lambda used: _assigned(reading, inner_first, used, labelled)
     )
+    reading = touching.reading
+    assigned = _assigned(reading, inner_first, marks, labelled)
     second = pair_loops(
         loops,
         [None if number == NO_CURVE else reading.curves[number] for number in assigned],
@@ -156,7 +153,7 @@ def read_half(
         heeded_by_ink=heeded,
         confirmed=confirmed,
         used_marks={mark.mark for mark in (*marks, *(mark for mark, _ in on_loops))},
-        notes=tuple(notes),
+        notes=(*notes, *touching.notes),
         doubts=(
             *doubts_of_sharing,
             *(doubt.text for doubt in unsure),
@@ -164,8 +161,23 @@ def read_half(
             *doubts_of_places,
             *unheeded(marks, reading.curves, assigned, size),
             *doubts_of_labels(labelled, reading.curves, assigned),
+            *touching.doubts,
             *doubts_of_crossings,
         ),
+    )
+
+
+def _assigned(
+    reading: HalfReading, inner_first: tuple[float, ...], marks: Sequence[PlacedMark], labelled: LabelledHalf
+) -> list[int]:
+    """The curve of each station."""
+    return assign_stations(
+        inner_first,
+        half_breadths_at(reading.curves, reading.frame.half_breadth_px),
+        certainties(reading.curves, reading.confidences),
+        mark_distances(reading.curves, [(mark.station, mark.y_px, mark.z_px) for mark in marks], len(inner_first)),
+        [(_index(inner_first, x), number) for number, x in reading.drawn],
+        label_costs(labelled.named, reading.curves, len(inner_first)),
     )
 
 

@@ -38,18 +38,33 @@ BELOW_SIDE = 0.1  # of the depth
 SHARE_AT_DEPTH = 0.6  # of the best path's gain that one to the depth must have to be taken instead
 JUMP_PX = 2.0  # between neighbouring points of the line, beyond a slope of 56 degrees
 SHORTEST_RUN = 0.035  # of B/2
+LAST_STRETCH = 0.04  # of B/2: where it is last seen
+FALLING = -0.6  # dz/dy there of a line that goes on falling, more and more: of the slopes that are looked for
 
 
 @dataclass(frozen=True, eq=False)
 class SheerLine:
-    """Heights z over half-breadths y, px of the drawing; constant inside of its first point."""
+    """Heights z over half-breadths y, px of the drawing; constant inside of its first point.
+
+    Attributes:
+        y_px, z_px: of its points; the last lies on the line of B/2.
+        seen_to_px: half-breadth to which it was seen, infinite where its last point is known by its meaning.
+        falls: whether it falls steeply where it was last seen. Beyond that it falls too steeply to be seen, and the
+            stations show where they end; else it is taken to go on level.
+    """
 
     y_px: Array
     z_px: Array
+    seen_to_px: float = np.inf
+    falls: bool = False
 
     def at(self, y_px: Array | float) -> Array:
         """Height of the deck edge at a half-breadth."""
         return np.asarray(np.interp(y_px, self.y_px, self.z_px))
+
+    def lost_at(self, y_px: float) -> bool:
+        """Whether the line falls unseen at a half-breadth."""
+        return self.falls and y_px > self.seen_to_px
 
     def range_at(self, y_px: float) -> tuple[float, float]:
         """Lowest and highest height that the line can have there: those of the known points on either side."""
@@ -125,7 +140,18 @@ def _sheer_above(
     # high; else the widest stations end lower than the ship's ends
     to_depth = side_top_px is not None and side_top_px > (1 - 2 * DEPTH_TOLERANCE) * depth_px
     last = depth_px if to_depth or not steady.any() else float(height_px[steady][-1])
-    return SheerLine(np.append(at[steady], frame.half_breadth_px), np.append(height_px[steady], last))
+    falls = not to_depth and _slope_at_end(at[steady], height_px[steady], frame.half_breadth_px) < FALLING
+    seen_to = np.inf if to_depth or not steady.any() else float(at[steady][-1])
+    points = np.append(at[steady], frame.half_breadth_px), np.append(height_px[steady], last)
+    return SheerLine(*points, seen_to, falls)
+
+
+def _slope_at_end(y: Array, z: Array, size: float) -> float:
+    """dz/dy over the outermost stretch of a line; 0 of none."""
+    stretch = LAST_STRETCH * size
+    if not y.size or y[-1] - y[0] < stretch:
+        return 0.0
+    return float(z[-1] - np.interp(y[-1] - stretch, y, z)) / stretch
 
 
 def _stroke(slope: float) -> Array:

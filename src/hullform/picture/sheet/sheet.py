@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+import numpy as np
+
 from hullform.body_plan import Half
 from hullform.errors import PictureError
 from hullform.picture.calibrating.calibration import CalibratedSheet, calibrate
@@ -57,17 +59,18 @@ class Sheet:
         return read_labels(self.grey) if can_read_labels() else None
 
 
-def prepare_sheet(ship: Ship) -> Sheet:
+def prepare_sheet(ship: Ship, quarter_turns: int = 0) -> Sheet:
     """Load a ship's picture, calibrate it and find the pieces of curve in each half.
 
     Args:
         ship: [ship] and [body_plan] of a ship.toml with an image; stations and marks are not looked at.
+        quarter_turns: by which the picture is turned counterclockwise first; a given calibration means it turned.
 
     Raises:
         PictureError: no readable picture, no calibration, or one that cannot be.
     """
     path, source, main = ship.picture.image_path, ship.picture, ship.particulars
-    whole = load_grey(path, source.page)
+    whole = np.ascontiguousarray(np.rot90(load_grey(path, source.page), quarter_turns))
     size_px = (whole.shape[1], whole.shape[0])
     grey, reduction = reduced(whole)
     del whole

@@ -70,6 +70,8 @@ def finish(
     y, z = _upper_end(y, z, size, deck_over, reaches, _covered(trace, hidden), side_top_px)
     if side_top_px is None:
         return y, z
+    if sheer is None and depth_px is None:
+        y, z = _along_own_ink(y, z, _end_of_ink(trace, frame, ink), size, side_top_px)
     deck = depth_px if sheer is None else float(sheer.at(size))
     return _up_the_side(y, z, size, min(side_top_px, np.inf if deck is None else deck))
 
@@ -112,6 +114,8 @@ def _deck_over(
         return np.full(np.shape(half_breadth), depth_px if depth_px is not None else np.inf)
 
     end_y, end_z = _end_of_ink(trace, frame, ink)
+    if sheer is not None and sheer.lost_at(end_y):
+        return (lambda half_breadth: np.full(np.shape(half_breadth), end_z)), True
     reaches = bool(float(drawn(end_y)) - end_z < AT_DECK * frame.half_breadth_px)
     if sheer is None or abs(end_z - float(drawn(end_y))) > NEAR_DECK * frame.half_breadth_px:
         return drawn, reaches
@@ -138,6 +142,25 @@ def _end_of_ink(trace: Trace, frame: DiagonalFrame, ink: Ink) -> tuple[float, fl
     last = int(run[-1]) if run.size else size - 1
     y, z = frame.to_drawing(column[last], row[last])
     return float(y), float(z)
+
+
+def _along_own_ink(y: Array, z: Array, end: tuple[float, float], size: float, top: float) -> tuple[Array, Array]:
+    """A curve goes on to where its ink ends, where no deck edge is drawn but the side shows how high that may be.
+
+    Figures that stand on a curve hide its axis, not its ink.
+
+    Args:
+        end: [y, z] of its ink.
+        top: of the side.
+    """
+    end_y, end_z = end
+    if not z[-1] < end_z < top + AT_DECK * size or end_y > (1 - AT_LINE) * size:
+        return y, z
+    height = min(end_z, top)
+    if height <= z[-1]:
+        return y, z
+    share = (height - z[-1]) / (end_z - z[-1])
+    return np.append(y, y[-1] + share * (end_y - y[-1])), np.append(z, height)
 
 
 def _without_level_tail(y: Array, z: Array, size: float) -> tuple[Array, Array]:

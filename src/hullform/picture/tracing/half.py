@@ -53,6 +53,7 @@ class HalfReading:
         unused: (n, 2) [y, z] of lines that no curve took.
         unheeded: ids of the corrections that changed nothing.
         decks_px: heights of level decks and of the side's top, px above the base line.
+        line_px: thickness of a line.
     """
 
     half: Half
@@ -67,6 +68,7 @@ class HalfReading:
     unused: tuple[Array, ...] = ()
     unheeded: tuple[str, ...] = ()
     decks_px: tuple[float, ...] = ()
+    line_px: float = 0.0
 
 
 def trace_half(
@@ -162,6 +164,7 @@ def trace_half(
         unused,
         tuple(unheeded),
         tuple(z for z in (level, side_top, *prepared.side_steps_px) if z is not None),
+        prepared.single_px,
     )
 
 
