@@ -14,7 +14,14 @@ from hullform.hull.contours import Contours
 from hullform.hull.correspondence import matched_points
 from hullform.hull.drawn import FittedStation, outer_breadths, outer_heights, with_ends
 from hullform.hull.fair_sections import fair_sections
-from hullform.hull.profiled import LIMIT, follow_between, follow_outside, stem_beyond
+from hullform.hull.profiled import (
+    LIMIT,
+    follow_between,
+    follow_outside,
+    has_come_together,
+    stem_beyond,
+    web_of,
+)
 from hullform.profile import Profile
 
 Array = NDArray[np.float64]
@@ -25,8 +32,6 @@ POINTS = 141
 _NEAREST = 0.4
 # Of its depth: what is left of the last section, at the least, where its keel rises to the deck outside it.
 _LEAST_DEPTH = 0.1
-_ON_CENTRE = 1e-6  # of the greatest half-breadth
-_COLLAPSED = 1e-5  # of its extent: what is left of a contour that has come together in a point
 
 
 def places_with_stations(x: Array, drawn_x: Array) -> Array:
@@ -99,9 +104,8 @@ def lofted_contours(
 
 def _lower_points(section: Array) -> int:
     """How many points of a section (m, 2) make a lower contour of its own, a bulb or a gondola; 0 for none."""
-    on = section[:, 0] <= _ON_CENTRE * section[:, 0].max()
-    (centre_line,) = np.nonzero(on[1:-1] & on[:-2])
-    return int(centre_line[0]) + 1 if len(centre_line) and centre_line[0] > 0 else 0
+    web = web_of(section)
+    return 0 if web is None else web[0] + 1
 
 
 def _lower_contours_that_end(matched: Array) -> list[tuple[int, int]]:
@@ -110,10 +114,8 @@ def _lower_contours_that_end(matched: Array) -> list[tuple[int, int]]:
     for number, section in enumerate(matched):
         lower = _lower_points(section)
         for beside in (number - 1, number + 1):
-            if lower and 0 <= beside < len(matched):
-                left = np.ptp(matched[beside, :lower], axis=0).max()
-                if left <= _COLLAPSED * np.ptp(section[:lower], axis=0).max():
-                    found.append((number, beside))
+            if lower and 0 <= beside < len(matched) and has_come_together(matched[beside, :lower], section[:lower]):
+                found.append((number, beside))
     return found
 
 
