@@ -23,7 +23,7 @@ from hullform.ship_body_plan import (
     PictureSource,
 )
 from hullform.ship_excitation import ExcitationInput
-from hullform.ship_faults import fault_line
+from hullform.ship_faults import fault_lines
 from hullform.ship_operation import OperationInput
 from hullform.ship_structure import StructureInput
 from hullform.ship_weights import ConditionInput, WeightsInput
@@ -307,7 +307,7 @@ def read_ship(path: str | Path) -> Ship:
     try:
         ship = Ship.model_validate(document)
     except ValidationError as error:
-        faults = [fault_line(fault, Ship) for fault in error.errors()]
+        faults = fault_lines(error.errors(), Ship)
         raise ShipFileError("\n".join(f"{path}: {fault}" for fault in faults)) from None
     ship._path = path
     ship.body_plan._folder = path.parent

@@ -92,6 +92,16 @@ class PictureSource(_Source):
         return names
 
     @model_validator(mode="after")
+    def _aft_half_lies_aft(self) -> Self:
+        aft, fore = (sum(x) / len(x) for x in (self.aft_stations_m, self.fore_stations_m))
+        if aft >= fore:
+            raise ValueError(
+                f"aft_stations_m lie at {aft:g} m on average, fore_stations_m at {fore:g} m; x runs from the aft end "
+                "forward, in metres: exchange the lists, or the stations are numbers from another end"
+            )
+        return self
+
+    @model_validator(mode="after")
     def _each_station_has_its_name(self) -> Self:
         for half in ("aft", "fore"):
             names, stations = getattr(self, f"{half}_station_names"), getattr(self, f"{half}_stations_m")

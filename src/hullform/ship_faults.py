@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import itertools
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from pydantic import BaseModel, Tag
@@ -27,10 +27,23 @@ HOW_TO_FIND = {
 }
 
 
+def fault_lines(faults: Sequence[Mapping[str, Any]], root: type[BaseModel]) -> list[str]:
+    """A line for each fault that pydantic found in a file of type `root`.
+
+    A list of which every value is at fault is called too short on top of it: that goes without saying.
+    """
+    within = {tuple(fault["loc"][:-1]) for fault in faults}
+    return [
+        fault_line(fault, root)
+        for fault in faults
+        if not (fault["type"] == "too_short" and tuple(fault["loc"]) in within)
+    ]
+
+
 def fault_line(fault: Mapping[str, Any], root: type[BaseModel]) -> str:
     """One line for one fault that pydantic found in a file of type `root`: where, which value, what to do."""
     places = list(fault["loc"])
-    where = ".".join(str(place) for place in _as_written(places, root)) or "the file"
+    where = ".".join(str(place) for place in _as_written(places, root))
     kind = fault["type"]
     if kind == "extra_forbidden":
         return f"{where}: {_unknown_key(places, root)}"
@@ -38,10 +51,12 @@ def fault_line(fault: Mapping[str, Any], root: type[BaseModel]) -> str:
         return f"{where}: is missing; {HOW_TO_FIND.get(str(places[-1]), 'add it')}"
     message = fault["msg"].removeprefix("Value error, ")
     if kind == "value_error":
-        return f"{where}: {message}"
+        return f"{where}: {message}" if where else message
     if kind == "too_short":
         least = fault["ctx"]["min_length"]
         return f"{where} has {fault['ctx']['actual_length']} values; give {'one' if least == 1 else least} or more"
+    if kind == "string_pattern_mismatch":
+        return f"{where} = {fault['input']!r}: is a part of file names; write it with a to z, 0 to 9 and '-' alone"
     return f"{where} = {fault['input']!r}: {message[0].lower()}{message[1:]}"
 
 

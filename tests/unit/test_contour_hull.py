@@ -234,7 +234,7 @@ def test_outside_the_drawn_stations_the_last_section_goes_on() -> None:
     plan = BodyPlan(
         tuple(
             station(x, np.array([[0, 0], [a, 1.5], [a + 1, 9]]))
-            for x, a in ((10, 5.0), (50, 6.0), (80, 5.0), (96, 2.0))
+            for x, a in ((10, 5.0), (30, 5.5), (50, 6.0), (70, 5.5), (80, 5.0), (96, 2.0))
         ),
         "offsets",
     )

@@ -136,3 +136,8 @@ def test_ends_that_the_profile_does_not_reach_are_estimated_as_without() -> None
     for x in (0.0, 5.0, 95.0, 100.0):
         one, other = (hull.section_curves(x)[0] for hull in (without, partly))
         np.testing.assert_allclose(other, one, atol=1e-9)
+
+
+def test_a_profile_of_two_points_is_enough() -> None:
+    hull = lofted([wedge(x) for x in (0.0, 30.0, 60.0, 100.0)], (0.0, 0.0), (100.0, 0.0))
+    assert hull.volume_m3 == pytest.approx(HALF * DEPTH * LENGTH, rel=1e-6)

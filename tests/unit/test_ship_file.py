@@ -87,8 +87,13 @@ def test_the_aft_perpendicular_is_at_the_aft_end_where_the_lengths_agree(tmp_pat
         ("schema = 1", "schema = 2", "schema = 2"),
         ("[0.0, 20.0, 54.0]", "[0.0, 54.0, 20.0]", "20 follows 54; list each half's stations from aft forward"),
         ("[54.0, 90.0]", "[54.0, 190.0]", "fore_stations_m has 190, outside the ship"),
+        ("[54.0, 90.0]", "[1.0, 9.0]", "aft_stations_m lie at 24.6667 m on average, fore_stations_m at 5 m; x runs"),
         ("deadweight_t = 1000.0", "deadweight_t = -1.0", "conditions.0.deadweight_t = -1.0"),
-        ('name = "loaded"', 'name = "Fully Loaded"', "conditions.0.name = 'Fully Loaded'"),
+        (
+            'name = "loaded"',
+            'name = "Fully Loaded"',
+            "conditions.0.name = 'Fully Loaded': is a part of file names; write it with a to z",
+        ),
         ("[weights]", "[weights]\nsteel_weight_t = -5.0", "weights.steel_weight_t = -5.0"),
         (
             "[structure]",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from itertools import groupby
+from itertools import groupby, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,8 @@ THINNEST_FITTED = 0.005
 _HALVES_TOLERANCE = 0.005
 
 # A loft beyond the outermost station by more than this share of the length is a guess that a person should look at.
+# Of the length, and of the area: drawn ships have stations a tenth apart, but for their parallel body.
+_LONGEST_GAP, _ALIKE = 0.25, 0.05
 _EXTRAPOLATION_TOLERANCE = 0.03
 
 
@@ -184,6 +186,19 @@ def extrapolated_spans(drawn_x: Array, length_m: float) -> tuple[tuple[Extrapola
         if span.to_m - span.from_m > _EXTRAPOLATION_TOLERANCE * length_m
     )
     return spans, doubts
+
+
+def doubts_of_gaps(body_plan: BodyPlan, length_m: float) -> tuple[str, ...]:
+    """A doubt for each long gap between stations that are not those of a parallel body."""
+    areas: dict[float, float] = {}
+    for station in body_plan.stations:
+        areas[station.x_m] = max(areas.get(station.x_m, 0.0), station.area_below(np.inf))
+    return tuple(
+        f"no station is drawn between x = {aft:g} and {fore:g} m, {(fore - aft) / length_m:.0%} of the length, and the "
+        "sections there are not alike; stations are places in metres, not numbers: add those that are missing"
+        for (aft, one), (fore, other) in pairwise(sorted(areas.items()))
+        if fore - aft > _LONGEST_GAP * length_m and abs(one - other) > _ALIKE * max(one, other)
+    )
 
 
 def outer_breadths(drawn_x: Array, values: Array, x: Array) -> Array:

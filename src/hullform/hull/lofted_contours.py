@@ -30,15 +30,18 @@ Array = NDArray[np.float64]
 POINTS = 141
 # Of the distance between lofted sections: one that comes nearer to a drawn station gives way to it.
 _NEAREST = 0.4
+# Of the length: a station so near an end that the two are one place.
+_AT_END = 1e-4
 # Of its depth: what is left of the last section, at the least, where its keel rises to the deck outside it.
 _LEAST_DEPTH = 0.1
 
 
 def places_with_stations(x: Array, drawn_x: Array) -> Array:
     """Places x of lofted sections with every drawn station within them among them; those too near to one left out."""
-    inside = drawn_x[(drawn_x >= x[0]) & (drawn_x <= x[-1])]
+    margin = _AT_END * (x[-1] - x[0])
+    inside = drawn_x[(drawn_x > x[0] + margin) & (drawn_x < x[-1] - margin)]
     spacing = np.gradient(x)
-    apart = np.abs(x[:, None] - inside).min(axis=1)
+    apart = np.abs(x[:, None] - inside).min(axis=1, initial=np.inf)
     ends = np.isin(np.arange(len(x)), [0, len(x) - 1])
     return np.union1d(x[(apart > _NEAREST * spacing) | ends], inside)
 

@@ -12,6 +12,7 @@ from hullform.errors import HullError
 from hullform.hull.drawn import (
     Extrapolation,
     FittedStation,
+    doubts_of_gaps,
     extrapolated_spans,
     fit_stations,
     lofted_super_ellipses,
@@ -91,5 +92,6 @@ def loft_stations(body_plan: BodyPlan, particulars: Particulars, stations: int, 
     extrapolated, guesses = extrapolated_spans(drawn_x, length)
     if profile is not None:
         disagreements += doubts_of_feet(profile, fits, breadth)
+    guesses += doubts_of_gaps(body_plan, length)
     doubts = disagreements + guesses + doubts_of_turning_back(body_plan, fits, breadth / 2)
     return LoftedStations(x, lofted, fits, extrapolated, doubts)

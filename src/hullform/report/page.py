@@ -67,7 +67,7 @@ CHECK_LABELS = {
     "steel-estimate": "Numeral within those behind the estimated steel weight",
     "panel-volume": "Volume within the panels of the wetted hull",
     "clearance": "Depth of water over her deepest draught",
-    "wet-strips": "Wet frequencies by strips against panels, the mode that differs most",
+    "wet-strips": "Wet frequencies by strips against panels, with shear or without, the mode that differs most",
     "mesh-volume": "Volume of the mesh against the sections",
     "first-frequency": "First frequency, as of hulls of her length",
     "three-node-ratio": "3-node over 2-node frequency, as of ships",

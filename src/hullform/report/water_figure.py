@@ -34,7 +34,10 @@ def added_mass_figure(condition: ConditionRun) -> Picture:
     for mode in range(SHOWN_MODES):
         colour = SERIES[mode % len(SERIES)]
         axes.plot(middle, along[mode] / TONNES, color=colour, linewidth=1.4, label=f"added mass in mode {mode + 1}")
-    top = max(float(strips.section_kg_per_m.max()), float(condition.girder.mass_per_length(x).max())) / TONNES
+    # a mode's figure grows without bound towards its nodes: the most of it, not all, has room
+    most = float(np.nanpercentile(along[:SHOWN_MODES], 90))
+    own = float(condition.girder.mass_per_length(x).max())
+    top = max(float(strips.section_kg_per_m.max()), own, most) / TONNES
     axes.set_ylim(0.0, 1.1 * top)
     finish(axes, "x from the aft end, m", "mass per length, t/m", length)
     figure.legend(*axes.get_legend_handles_labels(), loc="lower center", ncols=3)
