@@ -2,8 +2,8 @@
 
     python scripts/draw_bodyplans.py [--check] [SHIP ...]
 
-`--check` writes nothing. It verifies the figures of the hull forms, that the pictures on disk are what this script
-draws, and that the stations in ship.toml are the stations drawn. The exit code is 1 where anything differs.
+`--check` writes nothing. It verifies the figures of the hull forms, that the pictures and profiles on disk are what
+this script draws, and that the stations in ship.toml are the stations drawn. The exit code is 1 where anything differs.
 """
 
 from __future__ import annotations
@@ -19,12 +19,15 @@ import cv2
 import numpy as np
 from drawing.form import faults
 from drawing.picture import Drawing, draw
+from drawing.profiles import text
 from drawing.ships import outline
 from drawing.tables import PARTICULARS
+from drawing.waterlines import WaterlineForm
 
 __all__ = ["Drawing", "draw", "further_pictures", "main", "outline"]
 
 FOLDER = Path(__file__).resolve().parent.parent / "bodyplans"
+PROFILE = "profile.csv"
 
 # Another release of matplotlib may set a letter a pixel off; a curve that has moved changes far more than this.
 _GREY_LEVELS_APART = 40
@@ -63,7 +66,7 @@ def differences(ship: str) -> list[str]:
         apart = np.abs(on_disk.astype(int) - drawn).max(axis=2) > _GREY_LEVELS_APART
         if apart.mean() > _SHARE_OF_PIXELS_APART:
             report.append(f"bodyplan.png differs from the drawing in {100 * apart.mean():.2f} % of its pixels")
-    return report + _station_differences(ship)
+    return report + _station_differences(ship) + _profile_differences(ship)
 
 
 def _station_differences(ship: str) -> list[str]:
@@ -79,6 +82,15 @@ def _station_differences(ship: str) -> list[str]:
     ]
 
 
+def _profile_differences(ship: str) -> list[str]:
+    form, path = outline(ship), FOLDER / ship / PROFILE
+    if not isinstance(form, WaterlineForm):
+        return []
+    if not path.is_file():
+        return [f"{PROFILE} is missing"]
+    return [] if path.read_text(encoding="utf-8") == text(form) else [f"{PROFILE} is not the profile drawn"]
+
+
 def _write(ship: str) -> None:
     folder = FOLDER / ship
     folder.mkdir(parents=True, exist_ok=True)
@@ -86,6 +98,9 @@ def _write(ship: str) -> None:
     written = cv2.imwrite(str(path), draw(outline(ship)).image[:, :, ::-1], [cv2.IMWRITE_PNG_COMPRESSION, 9])
     if not written:
         raise OSError(f"cannot write {path}")
+    form = outline(ship)
+    if isinstance(form, WaterlineForm):
+        (folder / PROFILE).write_text(text(form), encoding="utf-8")
 
 
 def main(arguments: list[str] | None = None) -> int:

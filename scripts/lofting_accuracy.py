@@ -11,16 +11,20 @@ import itertools
 import sys
 import time
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from drawing.profiles import profile
 from drawing.ships import outline
+from drawing.waterlines import WaterlineForm
 from fairness import Waves, distances, drawn_plan, waves_of, waves_of_form
 
 from hullform.hull import Hull
 from hullform.hull.crossings import crossing_triangles
 from hullform.hull.outlines import area_below, contours_of, largest_distance
+from hullform.profile import Profile
 
 if TYPE_CHECKING:
     from offsets_hull import OffsetsHull
@@ -59,10 +63,11 @@ BETWEEN = """
 
 Two ships of `bodyplans/`, whose form is known everywhere, lofted from their sections at the stations drawn: how far the
 hull lies from the form at five places between each two stations, in per cent of the breadth, and the waves of both.
-The largest distances are where something begins between two stations: the skeg, the bulb, the stem.
+The largest distances are where something begins between two stations: the skeg, the bulb, the stem. With the profile
+of the ship (`[hull] profile`) they follow it.
 
-| ship | median, % | 90 % within, % | largest, % | at x, m | waves | largest, % | of the form | largest, % |
-|---|---|---|---|---|---|---|---|---|
+| ship | profile | median, % | 90 % within, % | largest, % | at x, m | waves | largest, % | of the form | largest, % |
+|---|---|---|---|---|---|---|---|---|---|
 """
 COLUMNS = (
     "hull", "stations", "models", "deviation, %", "area, %", "volume, %", "LCB, %", "watertight", "crossing", "mesh, %",
@@ -129,17 +134,21 @@ def measured(drawn: OffsetsHull, sections: Choice = "auto") -> Lofted:
     )
 
 
-def between_stations(ship: str) -> str:
+def between_stations(ship: str, with_profile: bool) -> str:
     """The line of a ship of which the form is known everywhere."""
     form = outline(ship)
     plan = drawn_plan(form)
+    if with_profile:
+        assert isinstance(form, WaterlineForm)
+        plan = replace(plan, profile=Profile(*profile(form).T))
     hull = Hull.from_body_plan(plan, form.particulars)
     x = np.unique([station.x_m for station in plan.stations])
     places = np.concatenate([np.linspace(a, b, 7)[1:-1] for a, b in itertools.pairwise(x)])
     apart = distances(hull, form, places)
     lofted, own = waves_of(hull, x), waves_of_form(form, x)
     return (
-        f"| {ship} | {np.median(apart):.2f} | {np.quantile(apart, 0.9):.2f} | {apart.max():.2f} | "
+        f"| {ship} | {'given' if with_profile else 'none'} | {np.median(apart):.2f} | "
+        f"{np.quantile(apart, 0.9):.2f} | {apart.max():.2f} | "
         f"{places[apart.argmax()]:.1f} | {lofted.count} | {lofted.largest_percent:.2f} | {own.count} | "
         f"{own.largest_percent:.2f} |\n"
     )
@@ -162,7 +171,7 @@ def main() -> None:
             f"{r.waves.largest_percent:.2f} | {r.seconds:.1f} |"
         )
         print(rows[-1])
-    between = "".join(between_stations(ship) for ship in OWN)
+    between = "".join(between_stations(ship, given) for ship in OWN for given in (False, True))
     (ROOT / "docs" / "lofting.md").write_text(HEAD + "\n".join(rows) + "\n" + BETWEEN + between, encoding="utf-8")
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.errors import BodyPlanError
+from hullform.profile import Profile
 
 Half = Literal["aft", "fore"]
 Source = Literal["picture", "offsets", "mesh", "particulars"]
@@ -141,6 +142,7 @@ class BodyPlan:
         calibration: for a picture, how its pixels became metres.
         notes: what was found or assumed, in words, for the report.
         doubts: what a person should look at; a run with doubts ends with exit code 3.
+        profile: the contour in the centre plane, where it is known.
     """
 
     stations: tuple[Station, ...]
@@ -148,6 +150,7 @@ class BodyPlan:
     calibration: Calibration | None = None
     notes: tuple[str, ...] = ()
     doubts: tuple[str, ...] = field(default=())
+    profile: Profile | None = None
 
     def __post_init__(self) -> None:
         if len({station.x_m for station in self.stations}) < 3:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -60,6 +61,15 @@ def trace(ship: Ship) -> BodyPlan:
 
 def read_form(ship: Ship) -> tuple[BodyPlan, PictureReading | None]:
     """The body plan, and for a picture all that was read of it; raises as `trace`."""
+    body_plan, reading = _read_stations(ship)
+    if ship.profile_path is None:
+        return body_plan, reading
+    from hullform.doors.profile_reading import read_profile
+
+    return replace(body_plan, profile=read_profile(ship, ship.profile_path)), reading
+
+
+def _read_stations(ship: Ship) -> tuple[BodyPlan, PictureReading | None]:
     source = ship.body_plan
     if isinstance(source, PictureSource):
         from hullform.picture.reading import read_picture

@@ -108,9 +108,10 @@ class Particulars(Table):
 
 
 class HullOptions(Table):
-    """[hull]: which curves stand for the stations, as `hull.ladder` has them."""
+    """[hull]: which curves stand for the stations, as `hull.ladder` has them; the contour in the centre plane."""
 
     sections: Literal["auto", "super-ellipse", "traced"] = "auto"
+    profile: Annotated[str, Field(min_length=1)] | None = None
 
 
 class Water(Table):
@@ -223,7 +224,13 @@ class Ship(Table):
     @property
     def files(self) -> tuple[Path, ...]:
         """What is read: ship.toml, the file of her form, and the review of her picture where there is one."""
-        return tuple(file for file in (self._path, self.body_plan.file, self.review_path) if file is not None)
+        read = self._path, self.body_plan.file, self.review_path, self.profile_path
+        return tuple(file for file in read if file is not None)
+
+    @property
+    def profile_path(self) -> Path | None:
+        """Her profile, if there is one: beside ship.toml unless the path is absolute."""
+        return None if self.hull.profile is None else self._path.parent / self.hull.profile
 
     @property
     def picture(self) -> PictureSource:

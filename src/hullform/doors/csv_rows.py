@@ -41,8 +41,8 @@ class CsvTable:
         return value
 
 
-def read_csv(path: Path) -> CsvTable:
-    """Read a csv file.
+def read_csv(path: Path, key: str = "body_plan.offsets") -> CsvTable:
+    """Read a csv file that a key of ship.toml names.
 
     Where columns are parted by semicolons or tabs, a comma is taken for the decimal sign.
 
@@ -52,15 +52,15 @@ def read_csv(path: Path) -> CsvTable:
     try:
         text = path.read_text(encoding="utf-8-sig")
     except FileNotFoundError:
-        raise BodyPlanError(f"{path}: no such file; body_plan.offsets names it") from None
+        raise BodyPlanError(f"{path}: no such file; {key} names it") from None
     except UnicodeDecodeError:
         raise BodyPlanError(f"{path}: is no text in UTF-8; save the table as csv") from None
     except OSError as error:
-        raise BodyPlanError(f"{path}: cannot be read ({error.strerror}); body_plan.offsets names it") from None
+        raise BodyPlanError(f"{path}: cannot be read ({error.strerror}); {key} names it") from None
     lines = [(number, line.split("#")[0]) for number, line in enumerate(text.splitlines(), start=1)]
     filled = [(number, line) for number, line in lines if line.strip(" \t;,")]
     if len(filled) < 2:
-        raise BodyPlanError(f"{path}: has {len(filled)} rows; a table of offsets has a header and a row a point")
+        raise BodyPlanError(f"{path}: has {len(filled)} rows; a table has a header and a row a point")
     separator = next((mark for mark in SEPARATORS if mark in filled[0][1]), ",")
     cells = []
     for number, line in filled:

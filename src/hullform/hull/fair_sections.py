@@ -16,24 +16,20 @@ _STEEPEST = 3.0
 def fair_sections(x: Array, points: Array) -> CubicHermiteSpline:
     """Cubics along the ship through points (sections, m, 2) at x (sections,), two sections or more.
 
-    No point leaves the range of its coordinates on the two sections beside it (`monotone_cubic`), and no section
+    No point leaves the range of its coordinates on the two sections beside it (`_without_overshoot`), and no section
     doubles back between two that go the same way (`_kept_in_order`).
     """
     return CubicHermiteSpline(x, points, _kept_in_order(x, points, _without_overshoot(x, points)), axis=0)
 
 
-def monotone_cubic(x: Array, values: Array) -> CubicHermiteSpline:
-    """A cubic through values (n, ...) at x (n,), n >= 2, that stays between those of the two places beside it.
+def _without_overshoot(x: Array, values: Array) -> Array:
+    """Slopes of cubics through values (n, ...) at x (n,), n >= 2, that stay between those of the places beside.
 
-    Its slope at a place is that of the parabola through it and its neighbours, at either end through the last three,
+    The slope at a place is that of the parabola through it and its neighbours, at either end through the last three,
     as far as it does not overshoot, which is none at a largest or least value and elsewhere three times the lesser
     slope beside it at the most (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980; Hyman, SIAM J. Sci. Stat. Comput.
     4, 1983). Parabolas that need no bound come back as they are; harmonic means of the slopes (PCHIP) flatten them.
     """
-    return CubicHermiteSpline(x, values, _without_overshoot(x, values), axis=0)
-
-
-def _without_overshoot(x: Array, values: Array) -> Array:
     step = np.diff(x).reshape(-1, *(1,) * (values.ndim - 1))
     slope = np.diff(values, axis=0) / step
     if len(x) < 3:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from itertools import groupby
 
@@ -13,6 +14,15 @@ from hullform.hull.contours import Contours
 from hullform.hull.correspondence import matched_points
 from hullform.hull.drawn import FittedStation, outer_breadths, outer_heights, with_ends
 from hullform.hull.fair_sections import fair_sections
+from hullform.hull.profiled import (
+    LIMIT,
+    follow_between,
+    follow_outside,
+    has_come_together,
+    stem_beyond,
+    web_of,
+)
+from hullform.profile import Profile
 
 Array = NDArray[np.float64]
 
@@ -24,8 +34,6 @@ _NEAREST = 0.4
 _AT_END = 1e-4
 # Of its depth: what is left of the last section, at the least, where its keel rises to the deck outside it.
 _LEAST_DEPTH = 0.1
-_ON_CENTRE = 1e-6  # of the greatest half-breadth
-_COLLAPSED = 1e-5  # of its extent: what is left of a contour that has come together in a point
 
 
 def places_with_stations(x: Array, drawn_x: Array) -> Array:
@@ -33,19 +41,22 @@ def places_with_stations(x: Array, drawn_x: Array) -> Array:
     margin = _AT_END * (x[-1] - x[0])
     inside = drawn_x[(drawn_x > x[0] + margin) & (drawn_x < x[-1] - margin)]
     spacing = np.gradient(x)
-    apart = np.abs(x[:, None] - inside).min(axis=1)
+    apart = np.abs(x[:, None] - inside).min(axis=1, initial=np.inf)
     ends = np.isin(np.arange(len(x)), [0, len(x) - 1])
     return np.union1d(x[(apart > _NEAREST * spacing) | ends], inside)
 
 
-def lofted_contours(stations: Sequence[FittedStation], x: Array, breadth_m: float) -> Contours:
+def lofted_contours(
+    stations: Sequence[FittedStation], x: Array, breadth_m: float, profile: Profile | None = None
+) -> Contours:
     """Loft stations, of several at one x the mean, to the places x.
 
     Matched points (`correspondence`) follow cubics without overshoot between the drawn stations (`fair_sections`). A
     bulb or gondola apart from the body above it closes as half an ellipsoid where the next station has none, or where
     there is no next. Beyond the outermost stations the last section goes on, its breadth as the parabola through the
     greatest breadths of the last three has it, held to 0..its own and never growing outwards, its keel and deck in
-    straight lines, by no more than their last drawn step and not quite to each other.
+    straight lines, by no more than their last drawn step and not quite to each other. A profile, where there is one,
+    says where sections between and beyond the stations meet the centre plane (`profiled`).
 
     Raises:
         HullError: there are fewer than three stations at different x, or none has a shape.
@@ -69,6 +80,13 @@ def lofted_contours(stations: Sequence[FittedStation], x: Array, breadth_m: floa
         first, second = sorted((drawn_x[number], drawn_x[beside]))
         between = (x > first) & (x < second)
         lofted[between] = _closing(matched[number], lofted[between], reach[between])
+    if profile is not None:
+        for section, (aft, fore) in enumerate(itertools.pairwise(drawn_x.tolist())):
+            inside = (x > aft) & (x < fore)
+            if inside.any():
+                ends = matched[section : section + 2]
+                limit = LIMIT * breadth_m
+                lofted[inside] = follow_between(profile, (aft, fore), ends, x[inside], lofted[inside], limit)
     widest, top, keel = matched[..., 0].max(axis=1), matched[:, -1, 1], matched[..., 1].min(axis=1)
     wide = with_ends(drawn_x, widest, x, outer_breadths)
     high, low = (with_ends(drawn_x, values, x, outer_heights) for values in (top, keel))
@@ -77,15 +95,20 @@ def lofted_contours(stations: Sequence[FittedStation], x: Array, breadth_m: floa
             reach = np.abs(x - held)[outside]
             going_on = _going_on(last, wide[outside], high[outside], low[outside])
             lofted[outside] = _closing(last, going_on, reach)
+    if profile is not None and profile.from_m < drawn_x[0] and x[0] < drawn_x[0]:
+        outside = x < drawn_x[0]
+        lofted[outside] = follow_outside(profile, matched[0], x[outside], lofted[outside], None)
+    if profile is not None and profile.to_m > drawn_x[-1] and x[-1] > drawn_x[-1]:
+        outside, stem = x > drawn_x[-1], stem_beyond(profile, drawn_x, matched)
+        lofted[outside] = follow_outside(profile, matched[-1], x[outside], lofted[outside], stem)
     lofted[..., 0] = np.maximum(lofted[..., 0], 0.0)
     return Contours(lofted)
 
 
 def _lower_points(section: Array) -> int:
     """How many points of a section (m, 2) make a lower contour of its own, a bulb or a gondola; 0 for none."""
-    on = section[:, 0] <= _ON_CENTRE * section[:, 0].max()
-    (centre_line,) = np.nonzero(on[1:-1] & on[:-2])
-    return int(centre_line[0]) + 1 if len(centre_line) and centre_line[0] > 0 else 0
+    web = web_of(section)
+    return 0 if web is None else web[0] + 1
 
 
 def _lower_contours_that_end(matched: Array) -> list[tuple[int, int]]:
@@ -94,10 +117,8 @@ def _lower_contours_that_end(matched: Array) -> list[tuple[int, int]]:
     for number, section in enumerate(matched):
         lower = _lower_points(section)
         for beside in (number - 1, number + 1):
-            if lower and 0 <= beside < len(matched):
-                left = np.ptp(matched[beside, :lower], axis=0).max()
-                if left <= _COLLAPSED * np.ptp(section[:lower], axis=0).max():
-                    found.append((number, beside))
+            if lower and 0 <= beside < len(matched) and has_come_together(matched[beside, :lower], section[:lower]):
+                found.append((number, beside))
     return found
 
 

@@ -21,6 +21,7 @@ from hullform.hull.drawn import (
 )
 from hullform.hull.ladder import Choice
 from hullform.hull.lofted_contours import lofted_contours, places_with_stations
+from hullform.hull.profiled import doubts_of_feet, places_of
 from hullform.hull.sections import SectionSet
 from hullform.hull.turning_back import doubts_of_turning_back
 
@@ -77,15 +78,20 @@ def loft_stations(body_plan: BodyPlan, particulars: Particulars, stations: int, 
     merged, disagreements = merge_halves(fits, breadth)
     drawn_x = np.array([station.x_m for station in merged])
     x = station_places(length, stations)
+    profile = body_plan.profile
     lofted: SectionSet
-    if all(station.model is None or station.fit is not None for station in fits):
+    if profile is None and all(station.model is None or station.fit is not None for station in fits):
         lofted = lofted_super_ellipses(merged, x)
         for values in lofted:
             values.setflags(write=False)
     else:
+        if profile is not None:
+            x = places_with_stations(x, places_of(profile, breadth, length))
         x = places_with_stations(x, drawn_x)
-        lofted = lofted_contours(fits, x, breadth)
+        lofted = lofted_contours(fits, x, breadth, profile)
     extrapolated, guesses = extrapolated_spans(drawn_x, length)
+    if profile is not None:
+        disagreements += doubts_of_feet(profile, fits, breadth)
     guesses += doubts_of_gaps(body_plan, length)
     doubts = disagreements + guesses + doubts_of_turning_back(body_plan, fits, breadth / 2)
     return LoftedStations(x, lofted, fits, extrapolated, doubts)
