@@ -27,9 +27,9 @@ THINNEST_FITTED = 0.005
 _HALVES_TOLERANCE = 0.005
 
 # A loft beyond the outermost station by more than this share of the length is a guess that a person should look at.
+_EXTRAPOLATION_TOLERANCE = 0.03
 # Of the length, and of the area: drawn ships have stations a tenth apart, but for their parallel body.
 _LONGEST_GAP, _ALIKE = 0.25, 0.05
-_EXTRAPOLATION_TOLERANCE = 0.03
 
 
 @dataclass(frozen=True, slots=True)
