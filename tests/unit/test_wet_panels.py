@@ -7,7 +7,7 @@ from floating_bodies import SEMICIRCLE, prism_sections, rectangle, spheroid_pane
 from hullvib.errors import ArgumentError
 from hullvib.wet import Panels, Sections
 from hullvib.wet.influence import influence, panel_integrals
-from hullvib.wet.panels import MOST_PANELS
+from hullvib.wet.panels import MOST_PANELS, graded_places
 
 
 def test_a_box_encloses_its_volume_and_is_closed():
@@ -152,3 +152,11 @@ class TestInfluence:
             shallow = influence(panels, depth)
             for one, other in zip(deep, shallow, strict=True):
                 assert np.abs(one - other).max() < share * np.abs(one).max()
+
+
+def test_graded_places_end_where_they_are_told_to():
+    # first + (last - first) is a round-off more than last for about every seventh of these
+    for first in np.random.default_rng(0).uniform(0.0, 3.0, 100):
+        places = graded_places(first, 7.3, 34)
+        assert (places[0], places[-1]) == (first, 7.3)
+        assert (np.diff(places) > 0).all()

@@ -140,7 +140,9 @@ def graded_places(first: float, last: float, count: int) -> Array:
     """`count` places from first to last, both included: closer together at the ends, where the flow turns fast."""
     t = np.linspace(0.0, 1.0, count)
     evenly = 1.0 - _GRADING
-    return np.asarray(first + (last - first) * (evenly * t + 0.5 * _GRADING * (1.0 - np.cos(np.pi * t))))
+    places = first + (last - first) * (evenly * t + 0.5 * _GRADING * (1.0 - np.cos(np.pi * t)))
+    places[-1] = last  # and not a round-off beyond
+    return np.asarray(places)
 
 
 def _doubled_areas(corners: Array) -> Array:
