@@ -55,7 +55,7 @@ def fault_line(fault: Mapping[str, Any], root: type[BaseModel]) -> str:
     if kind == "too_short":
         least = fault["ctx"]["min_length"]
         return f"{where} has {fault['ctx']['actual_length']} values; give {'one' if least == 1 else least} or more"
-    if kind == "string_pattern_mismatch":
+    if kind == "string_pattern_mismatch" and places[0] == "conditions":
         return f"{where} = {fault['input']!r}: is a part of file names; write it with a to z, 0 to 9 and '-' alone"
     return f"{where} = {fault['input']!r}: {message[0].lower()}{message[1:]}"
 

@@ -21,7 +21,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize import brentq
 
 from hullvib.errors import ArgumentError
 from hullvib.sea import GRAVITY_M_S2
@@ -33,6 +32,7 @@ SHORTEST_WAVE_M = 0.1
 """Shorter ones, such as a ship would overtake near beam seas, are ripples."""
 _ROUND_OFF = 1e-12
 _NEWTON_STEPS = 6
+_CRITICAL = 1e-6
 
 
 @dataclass(frozen=True)
@@ -169,6 +169,7 @@ def _waves_of_depth(met: float, along: float, depth: float, gravity: float) -> t
 
     w(k) - k U rises to where the waves' energy travels with the ship, falls to 0 where their crests do, and on.
     """
+    from scipy.optimize import brentq  # which takes long to import
 
     def wave(k: float) -> float:
         return math.sqrt(gravity * k * math.tanh(k * depth))
@@ -190,7 +191,8 @@ def _waves_of_depth(met: float, along: float, depth: float, gravity: float) -> t
         return wave(root(lambda k: wave(k) - along * k - met, tiny)), math.nan, math.nan
     longest = shorter = math.nan
     still = tiny
-    if along < energy_speed(tiny):
+    # not within round-off of the fastest of waves, sqrt(g h)
+    if along < (1 - _CRITICAL) * math.sqrt(gravity * depth):
         still = root(lambda k: wave(k) - along * k, tiny)
         crest = root(lambda k: energy_speed(k) - along, tiny, still)
         if wave(crest) - along * crest > met:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from hullform.body_plan import BodyPlan, Station, TracedCurve
-from hullform.errors import BodyPlanError
+from hullform.errors import BodyPlanError, HullError
 from hullform.hull import Hull
 from hullform.hull.crossings import crossing_triangles
 from hullform.profile import Profile
@@ -130,14 +130,45 @@ def test_a_raked_transom_keeps_its_breadth() -> None:
     assert hull.mesh().is_watertight
 
 
-def test_ends_that_the_profile_does_not_reach_are_estimated_as_without() -> None:
-    stations = [wedge(x) for x in (10.0, 30.0, 60.0, 90.0)]
-    without, partly = lofted(stations), lofted(stations, (12.0, 0.0), (85.0, 0.0))
-    for x in (0.0, 5.0, 95.0, 100.0):
-        one, other = (hull.section_curves(x)[0] for hull in (without, partly))
-        np.testing.assert_allclose(other, one, atol=1e-9)
+def bulbous(x: float) -> Station:
+    """A bulb from 1 to 3 m, and the bow from 5 m."""
+    turn = np.linspace(-np.pi / 2, np.pi / 2, 20)
+    low, high = np.cos(turn), 2 + np.sin(turn)
+    return Station(x, "fore", (TracedCurve(low, high), TracedCurve(np.linspace(0, 3, 20), np.linspace(5, DEPTH, 20))))
 
 
-def test_a_profile_of_two_points_is_enough() -> None:
-    hull = lofted([wedge(x) for x in (0.0, 30.0, 60.0, 100.0)], (0.0, 0.0), (100.0, 0.0))
+@pytest.mark.parametrize(
+    ("points", "told"),
+    [
+        ([(0.0, 10.0), (0.0, 0.0), (96.0, 0.0), (96.0, 10.0)], "from x = 0 to 96 m, the ship from 0 to 100 m"),
+        (
+            [(0.0, 0.0), (100.0, 0.0), (100.0, 10.0)],
+            "ends at z = 0 m at the stern, and the deck of station 0 lies at 10",
+        ),
+        ([(0.0, 10.0), (0.0, 0.0), (90.0, 0.0), (100.0, 5.0)], "ends at z = 5 m at the stem"),
+        ([(0.0, 10.0), (0.0, 0.0), (90.0, 0.0), (100.0, 14.0)], "ends at z = 14 m at the stem"),
+    ],
+)
+def test_a_profile_that_is_not_whole_is_refused(points: list[tuple[float, float]], told: str) -> None:
+    with pytest.raises(HullError, match=told):
+        lofted([wedge(x) for x in (0.0, 30.0, 60.0, 90.0)], *points)
+
+
+@pytest.mark.parametrize(
+    ("bow", "told"),
+    [
+        ([(90.0, 0.0), (100.0, 10.0)], "has a contour below the hull, a bulb or a gondola"),
+        ([(90.0, 0.0), (100.0, 2.0), (90.0, 4.5), (92.0, 5.0), (98.0, 10.0)], "bulb beyond the stem, to x = 100 m"),
+    ],
+)
+def test_a_bulb_that_the_profile_does_not_have_or_ends_with_is_refused(
+    bow: list[tuple[float, float]], told: str
+) -> None:
+    with pytest.raises(HullError, match=told):
+        lofted([*(wedge(x) for x in (0.0, 30.0, 60.0)), bulbous(93.0)], (0.0, 10.0), (0.0, 0.0), *bow)
+
+
+def test_a_profile_of_upright_ends_and_a_keel_is_enough() -> None:
+    stations = [wedge(x) for x in (0.0, 30.0, 60.0, 100.0)]
+    hull = lofted(stations, (0.0, 10.0), (0.0, 0.0), (100.0, 0.0), (100.0, 10.0))
     assert hull.volume_m3 == pytest.approx(HALF * DEPTH * LENGTH, rel=1e-6)

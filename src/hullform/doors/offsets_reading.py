@@ -24,8 +24,10 @@ REQUIRED = ("station_x_m", "half_breadth_m", "height_m")
 _BROADER = 0.02
 # Of the ship's size: a table that is larger or smaller by more is in another unit.
 _OTHER_UNIT = 3.0
-# Of a section's size: what is smaller may be the rounding of its points.
+# Of the breadth: what is smaller may be the rounding of points, or a bow that runs out in a sliver.
 _ROUNDING = 1e-3
+# Of the breadth: a table sliced from a surface may run to and fro by so much where a stem closes.
+_GLITCH = 0.01
 # Cosine of a turn of 155 degrees: the sharpest knuckle of a chine or a bulwark is far from it.
 _BACK = -0.9
 
@@ -59,7 +61,7 @@ def read_offsets(ship: Ship, source: OffsetsSource) -> BodyPlan:
             place = _place(x, scale, source)
             by_station[place, _half_of(place, midships)] = (curve,)
     else:
-        by_station = _curves_of_points(table, source, scale, midships)
+        by_station = _curves_of_points(table, source, scale, midships, main.breadth_m)
     _require_within(table.path, source, [x for x, _ in by_station], main)
     stations = tuple(Station(x, half, curves) for (x, half), curves in by_station.items())
     doubts = _doubts_of_size(table.path, stations, main)
@@ -80,7 +82,7 @@ def _half_of(x_m: float, midships_m: float) -> Half:
 
 
 def _curves_of_points(
-    table: CsvTable, source: OffsetsSource, scale: float, midships_m: float
+    table: CsvTable, source: OffsetsSource, scale: float, midships_m: float, breadth_m: float
 ) -> dict[tuple[float, Half], tuple[TracedCurve, ...]]:
     """The long form: the points of every curve of every station, keel to deck or deck to keel."""
     header = [name.lower() for name in table.rows[0][1]]
@@ -121,12 +123,12 @@ def _curves_of_points(
             _Point(y * scale, z * scale + source.origin_z_m, value("confidence", 1.0), value("point", float(order)))
         )
     return {
-        station: tuple(_curve(table.path, station[0], curves[n]) for n in sorted(curves))
+        station: tuple(_curve(table.path, station[0], curves[n], breadth_m) for n in sorted(curves))
         for station, curves in points.items()
     }
 
 
-def _curve(path: Path, x_m: float, points: Sequence[_Point]) -> TracedCurve:
+def _curve(path: Path, x_m: float, points: Sequence[_Point], breadth_m: float) -> TracedCurve:
     ordered = sorted(points, key=lambda point: point.order)
     if len(ordered) < 2:
         raise BodyPlanError(f"{path}: the station at x = {x_m:g} m has a curve of one point; give two or more")
@@ -136,20 +138,22 @@ def _curve(path: Path, x_m: float, points: Sequence[_Point]) -> TracedCurve:
     line = np.array([[point.half_breadth_m, point.height_m] for point in ordered])
     if float(np.trapezoid(line[:, 0], line[:, 1])) < 0:
         line = line[::-1]  # from deck to keel
-    _require_order(path, x_m, line)
+    _require_order(path, x_m, line, breadth_m)
     line = enough_points(line)
     return TracedCurve(line[:, 0], line[:, 1], min(point.confidence for point in ordered))
 
 
-def _require_order(path: Path, x_m: float, line: Array) -> None:
+def _require_order(path: Path, x_m: float, line: Array, breadth_m: float) -> None:
     """No section crosses itself or turns back the way it came, but for what rounding does: points out of order do."""
     import shapely
 
     drawn = shapely.LineString(line)
-    rounded = drawn.simplify(_ROUNDING * float(np.ptp(line, axis=0).max()), preserve_topology=False)
+    rounded = drawn.simplify(_ROUNDING * breadth_m, preserve_topology=False)
     step = np.diff(np.asarray(rounded.coords), axis=0)
-    ways = step / np.hypot(*step.T)[:, None]
-    back = np.flatnonzero((ways[1:] * ways[:-1]).sum(axis=1) < _BACK)
+    size = np.hypot(*step.T)
+    ways = step / size[:, None]
+    long = np.minimum(size[1:], size[:-1]) > _GLITCH * breadth_m
+    back = np.flatnonzero(long & ((ways[1:] * ways[:-1]).sum(axis=1) < _BACK))
     if back.size or not (drawn.is_simple or rounded.is_simple):
         y, z = rounded.coords[int(back[0]) + 1] if back.size else line[0]
         what = f"turns back at y = {y:g} m, z = {z:g} m" if back.size else "crosses itself"

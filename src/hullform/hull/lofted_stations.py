@@ -21,7 +21,7 @@ from hullform.hull.drawn import (
 )
 from hullform.hull.ladder import Choice
 from hullform.hull.lofted_contours import lofted_contours, places_with_stations
-from hullform.hull.profiled import doubts_of_feet, places_of
+from hullform.hull.profiled import doubts_of_feet, places_of, require_whole
 from hullform.hull.sections import SectionSet
 from hullform.hull.turning_back import doubts_of_turning_back
 
@@ -59,9 +59,9 @@ def loft_stations(body_plan: BodyPlan, particulars: Particulars, stations: int, 
     """Model the drawn stations and loft about `stations` sections over the length overall; raises HullError.
 
     Each station gets the first model of a ladder that is near enough (`ladder`), or the one that `sections` asks
-    for. A ship whose stations all are super-ellipses is lofted by their parameters; any other by matched points of
-    her sections (`Contours`), the drawn stations among the places. Sections stand closer together at the ends
-    (`drawn.station_places`). A station drawn on both halves counts once, as the mean; the halves' disagreement
+    for. A ship without a profile whose stations all are super-ellipses is lofted by their parameters; any other by
+    matched points of her sections (`Contours`), the drawn stations among the places. Sections stand closer together at
+    the ends (`drawn.station_places`). A station drawn on both halves counts once, as the mean; the halves' disagreement
     beyond a pen's width becomes a doubt. Outside the outermost drawn stations the form is extrapolated, and
     `extrapolated` says where.
     """
@@ -86,6 +86,7 @@ def loft_stations(body_plan: BodyPlan, particulars: Particulars, stations: int, 
             values.setflags(write=False)
     else:
         if profile is not None:
+            require_whole(profile, fits, length, float(particulars.depth_m))
             x = places_with_stations(x, places_of(profile, breadth, length))
         x = places_with_stations(x, drawn_x)
         lofted = lofted_contours(fits, x, breadth, profile)

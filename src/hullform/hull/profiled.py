@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from hullform.errors import HullError
 from hullform.hull.drawn import FittedStation
 from hullform.profile import CentrePlane, Profile
 
@@ -14,6 +15,8 @@ Array = NDArray[np.float64]
 
 # Of the breadth: a section that begins farther from the profile is left as it is drawn, and doubted.
 LIMIT = 0.01
+# Of the length, by which a profile may miss an end of the ship, and of the depth, by which it may miss the deck there.
+_SHORT, _OFF_DECK = 0.02, 0.15
 # Of the breadth: lofted sections stand where straight lines between them would leave the profile by more.
 _STRAIGHT = 5e-4
 # Of the length: no two of those places lie nearer to each other.
@@ -69,6 +72,42 @@ def places_of(profile: Profile, breadth_m: float, length_m: float) -> Array:
         if not apart or x - apart[-1] >= _NEAREST * length_m:
             apart.append(x)
     return np.array(apart)
+
+
+def require_whole(profile: Profile, stations: Sequence[FittedStation], length_m: float, depth_m: float) -> None:
+    """Refuse a profile that is not the whole contour: the hull would end where it ends, or lose a bulb.
+
+    Raises:
+        HullError: it misses an end of the ship, or the deck there; it has no bulb where a station has; the bulb reaches
+            beyond the stem.
+    """
+    if profile.from_m > _SHORT * length_m or profile.to_m < (1 - _SHORT) * length_m:
+        raise HullError(
+            f"[hull] profile reaches from x = {profile.from_m:g} to {profile.to_m:g} m, the ship from 0 to "
+            f"{length_m:g} m; give it from the deck at the stern to the deck at the stem, or correct length_overall_m"
+        )
+    ordered = sorted(stations, key=lambda station: station.x_m)
+    for name, n in (("stern", 0), ("stem", -1)):
+        height, deck = float(profile.height_m[n]), float(ordered[n].contours[-1][-1, 1])
+        if abs(height - deck) > _OFF_DECK * depth_m:
+            raise HullError(
+                f"[hull] profile ends at z = {height:g} m at the {name}, and the deck of station {ordered[n].name} "
+                f"lies at {deck:g} m; give the profile up to the deck, without bulwark and forecastle"
+            )
+    for station in ordered:
+        sides = [profile.at(np.array([station.x_m]), side) for side in (-1.0, 1.0)]
+        if len(station.contours) > 1 and all(np.isnan(plane.stem[0]) for plane in sides):
+            raise HullError(
+                f"station {station.name} (x = {station.x_m:g} m) has a contour below the hull, a bulb or a gondola, "
+                "and [hull] profile crosses it but once or twice; draw the profile round it"
+            )
+    for inside, station, end in ((1.0, ordered[0], profile.from_m), (-1.0, ordered[-1], profile.to_m)):
+        plane = profile.at(np.array([end]), inside)
+        if len(station.contours) > 1 and np.isfinite(plane.head[0]) and np.isnan(plane.stem[0]):
+            raise HullError(
+                f"[hull] profile has the bulb beyond the stem, to x = {end:g} m, which is not lofted from a profile: "
+                "leave the key out"
+            )
 
 
 def doubts_of_feet(profile: Profile, stations: Sequence[FittedStation], breadth_m: float) -> tuple[str, ...]:
@@ -155,7 +194,7 @@ def follow_outside(
     foot = np.where(there, foot, top)
     low = np.minimum(foot, top - _LEAST_HEIGHT * (z[-1] - z[0]))
     result = going_on.copy()
-    result[:, start:, 1] = low[:, None] + ((top - low) / (z[-1] - z[0]))[:, None] * (z - z[0])
+    result[:, start:, 1] = low[:, None] + ((top - low) / max(z[-1] - z[0], 1e-300))[:, None] * (z - z[0])
     if closes_to is not None:
         from_m, to_m, power = closes_to
         left = np.clip((to_m - x) / (to_m - from_m), 0.0, 1.0) ** power

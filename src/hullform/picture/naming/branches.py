@@ -118,8 +118,9 @@ def rejoin(
             if {fork.first, fork.second} <= set(positions_m) and not settled(fork)
         ]
         worth = [_worth(out, fork, positions_m, half_breadth_px, marks) for fork in forks]
-        best = min(range(len(forks)), key=lambda k: worth[k][0] / max(worth[k][1], LEAST_GAIN), default=None)
-        if best is None or not _much_fairer(*worth[best]) or len(exchanged) == len(curves):
+        fairer = [k for k in range(len(forks)) if _much_fairer(*worth[k])]
+        best = min(fairer, key=lambda k: worth[k][0] / max(worth[k][1], LEAST_GAIN), default=None)
+        if best is None or len(exchanged) == len(curves):
             unsure = [fork for fork, (other, kept) in zip(forks, worth, strict=True) if not _much_fairer(kept, other)]
             return Branches(tuple(out), tuple(exchanged), tuple(unsure))
         fork = forks[best]
