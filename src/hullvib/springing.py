@@ -5,9 +5,9 @@ A wave of the frequency w meets a ship of the speed U at the angle b between the
     w_e = |w - w^2 U cos(b) / g|.
 
 Waves excite a mode of the frequency w_n where w_e = w_n (linear springing) and, by their squares, where w_e = w_n / 2
-(second order). With k = U cos(b) / g the roots w of w_e are (2 w_e) / (1 + sqrt(1 - 4 k w_e)), in head seas the only
-one; in following seas, k > 0, also (1 + sqrt(1 - 4 k w_e)) / (2 k) while 4 k w_e <= 1, and (1 + sqrt(1 + 4 k w_e)) /
-(2 k), waves that she overtakes. Length 2 pi g / w^2, period 2 pi / w. That is deep water; in water of the depth h
+(second order). With d = U cos(b) / g the roots w of w_e are (2 w_e) / (1 + sqrt(1 - 4 d w_e)), in head seas the only
+one; in following seas, d > 0, also (1 + sqrt(1 - 4 d w_e)) / (2 d) while 4 d w_e <= 1, and (1 + sqrt(1 + 4 d w_e)) /
+(2 d), waves that she overtakes. Length 2 pi g / w^2, period 2 pi / w. That is deep water; in water of the depth h
 w^2 = g k tanh(k h), k the wave number, and w_e = |w - k U cos(b)| has as many roots at most, found by search. Source:
 R. E. D. Bishop and W. G. Price, Hydroelasticity of Ships, Cambridge 1979, for the encounter; the roots in deep water
 are those of the two quadratics.
@@ -74,8 +74,8 @@ def wave_frequencies(
 ) -> Array:
     """The waves that are met with the frequency w_e, (..., 3) in rad/s, NaN where there is none; arguments broadcast.
 
-    In the last axis: the longest wave, which there always is but when 4 k w_e > 1; the shorter one that overtakes her
-    too; the one that she overtakes. Where the first two coincide (4 k w_e = 1: her speed along the waves is half that
+    In the last axis: the longest wave, which there always is but when 4 d w_e > 1; the shorter one that overtakes her
+    too; the one that she overtakes. Where the first two coincide (4 d w_e = 1: her speed along the waves is half that
     of their crests, with which their energy travels) the second is NaN.
 
     Raises:
