@@ -22,6 +22,8 @@ class Provenance(_Table):
     ship_file_sha256: str
     body_plan_file: str | None
     body_plan_file_sha256: str | None
+    profile: str | None
+    profile_sha256: str | None
     review: str | None
     review_sha256: str | None
     seconds: dict[str, Finite]

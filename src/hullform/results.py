@@ -73,7 +73,7 @@ def write_results(run: Run, path: Path) -> None:
 
 def _provenance(run: Run) -> Provenance:
     packages = ("hullform", "numpy", "scipy", "opencv-python-headless", "trimesh")
-    file, review = run.ship.body_plan.file, run.ship.review_path
+    file, review, profile = run.ship.body_plan.file, run.ship.review_path, run.ship.profile_path
     reviewed = run.reading is not None and review.exists()
     return Provenance(
         program=PROGRAM,
@@ -83,6 +83,8 @@ def _provenance(run: Run) -> Provenance:
         ship_file_sha256=_digest(run.ship.path),
         body_plan_file=None if file is None else file.name,
         body_plan_file_sha256=None if file is None else _digest(file),
+        profile=None if profile is None else profile.name,
+        profile_sha256=None if profile is None else _digest(profile),
         review=review.name if reviewed else None,
         review_sha256=_digest(review) if reviewed else None,
         seconds=dict(run.seconds),

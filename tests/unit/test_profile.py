@@ -98,17 +98,17 @@ def test_waterlines_close_on_the_stem_and_end_where_it_ends() -> None:
     stations = [wedge(x) for x in (0.0, 30.0, 60.0)] + [
         Station(80.0, "fore", (TracedCurve(np.linspace(0.0, 5.0, 30), np.linspace(0.0, DEPTH, 30)),))
     ]
-    # a stem that rakes from 90 m at the keel to 98 m at the deck
-    hull = lofted(stations, (0.0, 10.0), (0.0, 0.0), (90.0, 0.0), (98.0, 10.0))
-    x = np.array([85.0, 90.0, 94.0, 97.0])
+    # a stem that rakes from 90 m at the keel to 99.6 m at the deck
+    hull = lofted(stations, (0.0, 10.0), (0.0, 0.0), (90.0, 0.0), (99.6, 10.0))
+    x = np.array([85.0, 90.0, 94.8, 98.4])
     np.testing.assert_allclose(hull.sections_at(x).keel, [0.0, 0.0, 5.0, 8.75], atol=0.02)
-    breadths = hull.sections_at(np.array([80.0, 85.0, 90.0, 97.9, 99.0])).half_breadth
+    breadths = hull.sections_at(np.array([80.0, 85.0, 90.0, 99.5, 100.0])).half_breadth
     assert (np.diff(breadths) <= 1e-9).all()
     assert breadths[-2] < 0.6
     assert breadths[-1] == 0.0
     mesh = hull.mesh()
     assert mesh.is_watertight
-    assert mesh.bounds[1, 0] == pytest.approx(98.0, abs=0.2)
+    assert mesh.bounds[1, 0] == pytest.approx(99.6, abs=0.2)
     assert mesh.volume == pytest.approx(hull.volume_m3, rel=1e-3)
 
 
@@ -166,6 +166,15 @@ def test_a_bulb_that_the_profile_does_not_have_or_ends_with_is_refused(
 ) -> None:
     with pytest.raises(HullError, match=told):
         lofted([*(wedge(x) for x in (0.0, 30.0, 60.0)), bulbous(93.0)], (0.0, 10.0), (0.0, 0.0), *bow)
+
+
+def test_a_hull_ends_with_a_profile_that_ends_at_her_outermost_stations() -> None:
+    stations = [box(x) for x in (0.4, 40.0, 60.0, 99.6)]
+    hull = lofted(stations, (0.4, 10.0), (0.4, 0.0), (99.6, 0.0), (99.6, 10.0))
+    # but for the wedge to the next of the lofted places, which is the end of the ship or nearer
+    box_m3 = 2 * HALF * DEPTH * 99.2
+    assert box_m3 - 1e-6 <= hull.volume_m3 <= box_m3 * 100.0 / 99.6
+    assert hull.sections_at(np.array([0.0, 100.0])).half_breadth.tolist() == [0.0, 0.0]
 
 
 def test_a_profile_of_upright_ends_and_a_keel_is_enough() -> None:

@@ -137,6 +137,16 @@ def test_waves_of_any_depth_are_met_with_the_frequency_asked_for(
     np.testing.assert_allclose(np.abs(waves[there] - number * along) / size, met / size, rtol=1e-8, atol=1e-9)
 
 
+@pytest.mark.parametrize("off", [0.0, 1e-15, -1e-15, 1e-9, -1e-9, -2e-6])
+def test_a_ship_as_fast_as_the_fastest_wave_meets_waves_all_the_same(off: float) -> None:
+    for depth in np.linspace(3.0, 60.0, 20):
+        speed = math.sqrt(GRAVITY_M_S2 * depth) * (1 + off)
+        waves, lengths = met_waves(1.3, speed, FOLLOWING, depth_m=float(depth))
+        there = np.isfinite(waves)
+        assert there[2]
+        np.testing.assert_allclose(np.abs(waves - 2 * np.pi / lengths * speed)[there], 1.3, rtol=1e-9)
+
+
 def test_long_waves_in_shallow_water_travel_with_the_root_of_g_h() -> None:
     # at 0.05 rad/s in 4 m of water k h is 0.03: w = k sqrt(g h) to 1.7e-4, and head seas at U = sqrt(g h) meet twice
     celerity = math.sqrt(GRAVITY_M_S2 * 4.0)

@@ -149,13 +149,14 @@ def _require_order(path: Path, x_m: float, line: Array, breadth_m: float) -> Non
 
     drawn = shapely.LineString(line)
     rounded = drawn.simplify(_ROUNDING * breadth_m, preserve_topology=False)
-    step = np.diff(np.asarray(rounded.coords), axis=0)
+    corners = np.asarray(rounded.coords)
+    step = np.diff(corners, axis=0)
     size = np.hypot(*step.T)
-    ways = step / size[:, None]
+    ways = step / np.maximum(size, 1e-300)[:, None]
     long = np.minimum(size[1:], size[:-1]) > _GLITCH * breadth_m
     back = np.flatnonzero(long & ((ways[1:] * ways[:-1]).sum(axis=1) < _BACK))
     if back.size or not (drawn.is_simple or rounded.is_simple):
-        y, z = rounded.coords[int(back[0]) + 1] if back.size else line[0]
+        y, z = corners[int(back[0]) + 1] if back.size else corners[0]
         what = f"turns back at y = {y:g} m, z = {z:g} m" if back.size else "crosses itself"
         raise BodyPlanError(
             f"{path}: the curve of the station at x = {x_m:g} m {what}; give its points in order from keel to deck, or "

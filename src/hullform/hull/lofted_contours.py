@@ -95,10 +95,10 @@ def lofted_contours(
             reach = np.abs(x - held)[outside]
             going_on = _going_on(last, wide[outside], high[outside], low[outside])
             lofted[outside] = _closing(last, going_on, reach)
-    if profile is not None and profile.from_m < drawn_x[0] and x[0] < drawn_x[0]:
+    if profile is not None and profile.from_m <= drawn_x[0] and x[0] < drawn_x[0]:
         outside = x < drawn_x[0]
         lofted[outside] = follow_outside(profile, matched[0], x[outside], lofted[outside], None)
-    if profile is not None and profile.to_m > drawn_x[-1] and x[-1] > drawn_x[-1]:
+    if profile is not None and profile.to_m >= drawn_x[-1] and x[-1] > drawn_x[-1]:
         outside, stem = x > drawn_x[-1], stem_beyond(profile, drawn_x, matched)
         lofted[outside] = follow_outside(profile, matched[-1], x[outside], lofted[outside], stem)
     lofted[..., 0] = np.maximum(lofted[..., 0], 0.0)

@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 # Of the breadth: a section that begins farther from the profile is left as it is drawn, and doubted.
 LIMIT = 0.01
 # Of the length, by which a profile may miss an end of the ship, and of the depth, by which it may miss the deck there.
-_SHORT, _OFF_DECK = 0.02, 0.15
+_SHORT, _OFF_DECK = 0.005, 0.15
 # Of the breadth: lofted sections stand where straight lines between them would leave the profile by more.
 _STRAIGHT = 5e-4
 # Of the length: no two of those places lie nearer to each other.

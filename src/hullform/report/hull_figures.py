@@ -19,7 +19,8 @@ FIT_ALPHA = 0.38
 LEFT_MARGIN = 0.62
 RIGHT_MARGIN = 0.1
 BODY_PLAN_FOOT = 0.75
-_LEGEND_COLUMNS, _LEGEND_ROW = 4, 0.24
+# Of the area curves: columns of the legend, and the height of its rows in inches.
+LEGEND_COLUMNS, LEGEND_ROW = 4, 0.24
 HALF_COLOURS: dict[Half, str] = {"aft": WARM, "fore": ACCENT}
 
 
@@ -75,11 +76,11 @@ def body_plan_figure(run: Run) -> Picture:
 def area_figure(run: Run) -> Picture:
     """Sectional areas below the draught of each condition, and at the design draught those of the stations."""
     hull = run.hull
-    rows = -(-(len(run.conditions) + 2) // _LEGEND_COLUMNS)
-    height = 2.6 + _LEGEND_ROW * rows
+    rows = -(-(len(run.conditions) + 2) // LEGEND_COLUMNS)
+    height = 2.6 + LEGEND_ROW * rows
     figure = Figure(figsize=(PAGE_WIDTH, height))
     axes = figure.subplots()
-    figure.subplots_adjust(left=0.075, right=0.975, top=1 - _LEGEND_ROW * rows / height, bottom=0.48 / height)
+    figure.subplots_adjust(left=0.075, right=0.975, top=1 - LEGEND_ROW * rows / height, bottom=0.48 / height)
     x = hull.x_m
     for number, condition in enumerate(run.conditions.values()):
         draught = condition.floating.draught_m
@@ -96,9 +97,7 @@ def area_figure(run: Run) -> Picture:
     )
     finish(axes, "x from the aft end, m", "sectional area, m²", hull.length_overall_m)
     axes.set_ylim(0.0, None)
-    axes.legend(
-        loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=_LEGEND_COLUMNS, borderaxespad=0.2, columnspacing=1.4
-    )
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=LEGEND_COLUMNS, borderaxespad=0.2, columnspacing=1.4)
     return as_svg(
         figure,
         "sectional-areas",

@@ -14,14 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hullform.body_plan import Half, Station, TracedCurve
-from hullform.picture.naming.fair_lines import beside_fair_lines, unfairness
+from hullform.picture.naming.fair_lines import MUCH_FAIRER, beside_fair_lines, unfairness
 from hullform.ship import Particulars, Water
 
 Array = NDArray[np.float64]
 Names = Mapping[Half, Sequence[Sequence[float]]]  # of each curve of a half, from the centre line outwards
 
 LEVELS = (0.1, 0.25, 0.4, 0.55, 0.7, 0.85, 1.0)  # of the draught: the waterlines
-MUCH_FAIRER = 0.75  # right readings get no fairer than 0.82 by another naming, wrong ones fall to 0.3 to 0.7
 LEAST_GAIN = 0.001  # of B/2, mean: less is the noise of tracing
 BETWEEN = (0.3, 0.5, 0.7)  # of a spacing: where a station that is not listed may lie
 FEWEST_CURVES = 4  # of a half
@@ -144,7 +143,7 @@ def _doubts_of_ends(stations: Sequence[Station], particulars: Particulars) -> li
     """The deck of a ship is at least as wide over her aft quarter as over her fore one: sterns carry, stems part."""
     length, half_breadth = particulars.length_overall_m, particulars.breadth_m / 2
     x, first = np.unique([station.x_m for station in stations], return_index=True)
-    y = np.array([float(stations[n].curves[0].half_breadth_m[-1]) for n in first]) / half_breadth
+    y = np.array([float(stations[n].curves[-1].half_breadth_m[-1]) for n in first]) / half_breadth
     nearest = max(float(x[0]), length - float(x[-1]), 0.0)
     if nearest > NEAR_END * length:
         return []

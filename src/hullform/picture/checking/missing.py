@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from hullform.picture.checking.crosschecks import LEAST_GAIN, LEVELS, MUCH_FAIRER, half_breadths
-from hullform.picture.naming.fair_lines import beside_fair_lines, unfairness
+from hullform.picture.checking.crosschecks import LEAST_GAIN, LEVELS, half_breadths
+from hullform.picture.naming.fair_lines import MUCH_FAIRER, beside_fair_lines, unfairness
 from hullform.picture.naming.named_half import NamedHalf
 
 Array = NDArray[np.float64]

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from hullform.picture.naming.fair_lines import LARGEST_UNFAIRNESS, beside_fair_lines, unfairness
+from hullform.picture.naming.fair_lines import LARGEST_UNFAIRNESS, MUCH_FAIRER, beside_fair_lines, unfairness
 from hullform.picture.naming.marks import APART, PlacedMark
 
 Array = NDArray[np.float64]
@@ -24,8 +24,7 @@ Array = NDArray[np.float64]
 TOUCHING = 1.5  # of a line's thickness between the axes: ink without paper between
 APART_BESIDE = 0.04  # of B/2: parts that lie nearer to each other all along may change places at little loss
 LEVELS = 12  # between the lowest point of the parts and the touch
-MUCH_FAIRER = 0.75  # of the unfairness
-LEAST_GAIN = 0.002  # of B/2, mean: less is the noise of tracing
+LEAST_GAIN_BELOW = 0.002  # of B/2, mean below the touch: less is the noise of tracing, on few stations and levels
 FEWEST_STATIONS = 5
 NEIGHBOURS = 2  # to either side of which the fairness depends on a station
 STRETCH = 0.03  # of B/2: that shows where a curve heads
@@ -119,7 +118,7 @@ def rejoin(
         ]
         worth = [_worth(out, fork, positions_m, half_breadth_px, marks) for fork in forks]
         fairer = [k for k in range(len(forks)) if _much_fairer(*worth[k])]
-        best = min(fairer, key=lambda k: worth[k][0] / max(worth[k][1], LEAST_GAIN), default=None)
+        best = min(fairer, key=lambda k: worth[k][0] / max(worth[k][1], LEAST_GAIN_BELOW), default=None)
         if best is None or len(exchanged) == len(curves):
             unsure = [fork for fork, (other, kept) in zip(forks, worth, strict=True) if not _much_fairer(kept, other)]
             return Branches(tuple(out), tuple(exchanged), tuple(unsure))
@@ -129,7 +128,7 @@ def rejoin(
 
 
 def _much_fairer(one: float, other: float) -> bool:
-    return one < MUCH_FAIRER * other and other - one > LEAST_GAIN
+    return one < MUCH_FAIRER * other and other - one > LEAST_GAIN_BELOW
 
 
 def _headings(curve: Array, at: int, stretch_px: float) -> tuple[float, float]:

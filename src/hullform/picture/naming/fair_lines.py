@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 LARGEST_UNFAIRNESS = 0.08  # of B/2: a knuckle counts as no more
+MUCH_FAIRER = 0.75  # right readings get no fairer than 0.82 by another naming, wrong ones fall to 0.3 to 0.7
 
 
 def unfairness(beside: Array) -> float:
