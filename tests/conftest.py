@@ -1,4 +1,4 @@
-"""What several kinds of test share: the ships of bodyplans/, each run once, and the driver of browsers."""
+"""What several kinds of test share: the ships of bodyplans/, each run once, and browsers."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Playwright, sync_playwright
+from playwright.sync_api import Browser, Playwright, sync_playwright
+from review_page import QUIET, find_chromium
 
 ROOT = Path(__file__).parent.parent
 
@@ -55,3 +56,11 @@ def driver() -> Iterator[Playwright]:
     """Drives browsers; its event loop allows no second one beside it in a worker."""
     with sync_playwright() as playwright:
         yield playwright
+
+
+@pytest.fixture(scope="module")
+def browser(driver: Playwright) -> Iterator[Browser]:
+    """A Chromium that asks for nothing by itself."""
+    browser = driver.chromium.launch(executable_path=find_chromium(), args=list(QUIET))
+    yield browser
+    browser.close()

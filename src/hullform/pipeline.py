@@ -101,9 +101,12 @@ def hull_of(ship: Ship, body_plan: BodyPlan) -> Hull:
     """The hull through a body plan's stations.
 
     Raises:
-        HullError: the stations make no hull.
+        HullError: the stations make no hull; names the ship's file.
     """
-    return Hull.from_body_plan(body_plan, ship.particulars, sections=ship.hull.sections)
+    try:
+        return Hull.from_body_plan(body_plan, ship.particulars, sections=ship.hull.sections)
+    except HullError as error:
+        raise HullError(f"{ship.path}: {error}") from None
 
 
 def girder_of(ship: Ship, hull: Hull, condition: str) -> Girder:

@@ -8,6 +8,7 @@ from pydantic import ConfigDict, Field
 
 from hullform.record_table import Finite, Frequencies
 from hullform.record_table import RecordTable as _Table
+from hullform.rest_records import FloatingRecord, StillWaterRecord
 from hullform.service_records import RatiosRecord, ResonanceRecord, SpringingRecord
 from hullform.water_records import InWaterRecord
 
@@ -202,51 +203,6 @@ class WeightRecord(_Table):
     name: str
     mass_kg: Finite
     centre_m: Finite | None
-
-
-class FloatingRecord(_Table):
-    """A straight waterline: draughts, trim by the stern positive, and what it carries."""
-
-    draught_aft_m: Finite
-    draught_fore_m: Finite
-    draught_midships_m: Finite
-    trim_m: Finite
-    trim_percent_lpp: Finite
-    displacement_kg: Finite
-    lcb_m: Finite
-    least_freeboard_m: Finite
-
-
-class ExtremesRecord(_Table):
-    """The greatest and the least value of a curve, and where they stand."""
-
-    maximum: Finite
-    maximum_x_m: Finite
-    minimum: Finite
-    minimum_x_m: Finite
-
-
-class StillWaterRecord(_Table):
-    """Shear force and bending moment, hogging positive, dM/dx = V; every x stands twice, once for either side.
-
-    Without `equilibrium` they are at a waterline that does not carry the weights, and leave a remainder at the fore
-    end. `closing_shear` and `closing_moment` are that remainder over the largest |V| and |M|.
-    """
-
-    equilibrium: bool
-    draught_aft_m: Finite
-    draught_fore_m: Finite
-    shear_force_n: ExtremesRecord
-    bending_moment_n_m: ExtremesRecord
-    unclosed_shear_force_n: Finite
-    unclosed_bending_moment_n_m: Finite
-    closing_shear: Finite
-    closing_moment: Finite
-    x_m: list[Finite]
-    weight_n_per_m: list[Finite]
-    buoyancy_n_per_m: list[Finite]
-    shear_force_curve_n: list[Finite]
-    bending_moment_curve_n_m: list[Finite]
 
 
 class ConditionRecord(_Table):

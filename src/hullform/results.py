@@ -17,9 +17,7 @@ from pathlib import Path
 
 from hullform.checks import Check
 from hullform.files import PROGRAM
-from hullform.hull.equilibrium import FloatingPosition
 from hullform.in_service import InService
-from hullform.loading.still_water import Extremes, sampled
 from hullform.outcome import Array, ConditionRun, Run
 from hullform.record_table import Frequencies
 from hullform.records import (
@@ -28,8 +26,6 @@ from hullform.records import (
     CheckRecord,
     ConditionRecord,
     DistortionRecord,
-    ExtremesRecord,
-    FloatingRecord,
     Headline,
     HullRecord,
     LightShipRecord,
@@ -38,10 +34,10 @@ from hullform.records import (
     Results,
     Solution,
     StationRecord,
-    StillWaterRecord,
     StructureRecord,
     WeightRecord,
 )
+from hullform.rest_results import floating_record, still_water_record
 from hullform.service_results import ratios_record, resonance_record, springing_record
 from hullform.water_results import in_water_record
 from hullvib.bounds import Bracket
@@ -215,8 +211,8 @@ def _condition(whole: Run, name: str) -> ConditionRecord:
         draughts={"aft_m": waterline.draught_aft_m, "fore_m": waterline.draught_fore_m},
         draughts_from=run.at_rest.adopted,
         draughts_reason=run.at_rest.reason,
-        equilibrium=None if equilibrium is None else _floating(equilibrium, floating.water_density_kg_m3),
-        still_water=_still_water(run),
+        equilibrium=None if equilibrium is None else floating_record(equilibrium, floating.water_density_kg_m3),
+        still_water=still_water_record(run),
         weights=[
             WeightRecord(name=item.name, mass_kg=item.mass_kg, centre_m=item.centre_m if item.mass_kg else None)
             for item in run.items
@@ -261,49 +257,6 @@ def _wet(run: ConditionRun) -> tuple[Modes, ...]:
     water = run.in_water
     solved = (water.euler, water.shear, water.strips_euler, water.strips_shear)
     return tuple(found.modes for found in solved if found is not None)
-
-
-def _floating(position: FloatingPosition, density_kg_m3: float) -> FloatingRecord:
-    waterline = position.waterline
-    return FloatingRecord(
-        draught_aft_m=waterline.draught_aft_m,
-        draught_fore_m=waterline.draught_fore_m,
-        draught_midships_m=waterline.draught_m,
-        trim_m=waterline.trim_m,
-        trim_percent_lpp=100 * waterline.trim_m / waterline.length_between_perpendiculars_m,
-        displacement_kg=density_kg_m3 * position.volume_m3,
-        lcb_m=position.lcb_x_m,
-        least_freeboard_m=position.least_freeboard_m,
-    )
-
-
-def _extremes(found: Extremes) -> ExtremesRecord:
-    return ExtremesRecord(
-        maximum=found.greatest, maximum_x_m=found.greatest_x_m, minimum=found.least, minimum_x_m=found.least_x_m
-    )
-
-
-def _still_water(run: ConditionRun) -> StillWaterRecord:
-    found = run.at_rest.still_water
-    curves = (found.weight, found.buoyancy, found.shear_force, found.bending_moment)
-    x = sampled(found.weight, points=2)[0]
-    weight, buoyancy, shear, moment = (sampled(curve, points=2)[1].tolist() for curve in curves)
-    return StillWaterRecord(
-        equilibrium=run.at_rest.equilibrium is not None,
-        draught_aft_m=found.waterline.draught_aft_m,
-        draught_fore_m=found.waterline.draught_fore_m,
-        shear_force_n=_extremes(found.shear_extremes),
-        bending_moment_n_m=_extremes(found.moment_extremes),
-        unclosed_shear_force_n=found.unclosed_shear_n,
-        unclosed_bending_moment_n_m=found.unclosed_moment_n_m,
-        closing_shear=found.shear_residual,
-        closing_moment=found.moment_residual,
-        x_m=x.tolist(),
-        weight_n_per_m=weight,
-        buoyancy_n_per_m=buoyancy,
-        shear_force_curve_n=shear,
-        bending_moment_curve_n_m=moment,
-    )
 
 
 def _by_functions(convergence: Mapping[int, Array]) -> dict[str, Frequencies]:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from person import GOOD, corrected, corrections_of
-from playwright.sync_api import Browser, Playwright
+from playwright.sync_api import Browser
 from real_hull import real_hull
-from review_page import QUIET, ReviewPage, find_chromium, served
+from review_page import ReviewPage, served
 
 from hullform.cli import DONE, DOUBTS, main
 from hullform.picture.reading import read_picture
@@ -25,13 +24,6 @@ OF_A_RUN = """
 name = "loaded"
 deadweight_t = {deadweight_t:.0f}
 """
-
-
-@pytest.fixture(scope="module")
-def browser(driver: Playwright) -> Iterator[Browser]:
-    browser = driver.chromium.launch(executable_path=find_chromium(), args=list(QUIET))
-    yield browser
-    browser.close()
 
 
 @pytest.mark.parametrize("name", ["dtmb5415", "oural"])

@@ -43,6 +43,13 @@ QUIET = (
 )
 
 Place = tuple[float, float]
+BODYPLANS = Path(__file__).parents[2] / "bodyplans"
+
+
+def copied(ship: str, folder: Path) -> Path:
+    """The ship.toml of a copy of a drawn ship."""
+    shutil.copytree(BODYPLANS / ship, folder / ship, ignore=shutil.ignore_patterns("results"))
+    return folder / ship / "ship.toml"
 
 
 def find_chromium() -> str:
